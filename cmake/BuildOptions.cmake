@@ -1,0 +1,31 @@
+# Language level, warnings, sanitizers: the targets settle::options (all code) and nothing global but the output folder.
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
+if(NOT CMAKE_BUILD_TYPE)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "" FORCE)
+endif()
+
+find_program(CCACHE_PROGRAM ccache)
+if(CCACHE_PROGRAM)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE_PROGRAM})
+endif()
+
+add_library(settle_options INTERFACE)
+add_library(settle::options ALIAS settle_options)
+target_compile_options(settle_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion
+  -Wnon-virtual-dtor -Wold-style-cast -Wcast-align -Woverloaded-virtual -Wnull-dereference -Wdouble-promotion)
+if(SETTLE_WARNINGS_AS_ERRORS)
+  target_compile_options(settle_options INTERFACE -Werror)
+endif()
+target_compile_definitions(settle_options INTERFACE
+  $<$<OR:$<CONFIG:Debug>,$<BOOL:${SETTLE_SANITIZE}>>:SETTLE_ENABLE_ASSERTIONS>)
+if(SETTLE_SANITIZE)
+  # Null-dereference warnings are unreliable under instrumentation.
+  target_compile_options(settle_options INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=undefined
+    -fno-omit-frame-pointer -Wno-null-dereference)
+  target_link_options(settle_options INTERFACE -fsanitize=address,undefined)
+endif()

@@ -1,0 +1,76 @@
+/// \file
+/// The campaign file: runs (cases with a matrix of overrides), the figures and the published numbers its report shows.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "settle/exchange/case.hpp"
+
+namespace settle::compare {
+
+/// One entry `[[run]]`: a case, what is set for all of it, and what is varied.
+struct RunEntry {
+  std::string name;      ///< unique after expansion; `{construction.layers}` stands for the value of a matrix key
+  std::string case_file; ///< relative to the campaign file
+  std::vector<std::string> solvers{"mpm", "fem"};
+  std::map<std::string, std::string> set;                 ///< dotted key -> TOML value
+  std::map<std::string, std::vector<std::string>> matrix; ///< dotted key -> TOML values; the product of all keys is run
+  double time_limit = 600.0;                              ///< wall time of one solver [s]
+  std::string note; ///< shown in the report: what this run is for, what is known to differ
+};
+
+/// A curve of a figure.
+struct Curve {
+  std::string run;    ///< name of an expanded run
+  std::string source; ///< "mpm", "fem", "exact" (of what mpm solves), "exact-fem", "eq-1", or a reference's name
+  std::string label;
+  exchange::CheckStages stages = exchange::CheckStages::last;
+  std::optional<double> density; ///< "eq-1" only [kg/m3]; left out: the case's
+  std::string density_of;        ///< "eq-1" only: the mean density this run's MPM result ended with
+};
+
+/// A figure of the report: a profile over the height of the construction.
+struct Figure {
+  std::string name; ///< identifier, also the SVG's
+  std::string title;
+  std::string caption;
+  exchange::Quantity quantity = exchange::Quantity::settlement;
+  std::vector<Curve> curves;
+};
+
+/// What a number in the table of published values measures.
+enum class Statistic { max_settlement, max_vertical_stress, mean_density, base_reaction_stress, refilled_points };
+
+/// A number somebody printed, to be shown beside ours and the exact one.
+struct Published {
+  std::string label;
+  double value = 0; ///< SI
+  std::string run;  ///< the run it is set beside
+  std::string source = "mpm";
+  Statistic statistic = Statistic::max_settlement;
+  std::string why; ///< the sentence that explains the difference
+};
+
+struct Campaign {
+  int format = 1;
+  std::string title;
+  std::string description;
+  std::vector<RunEntry> runs;
+  std::vector<Figure> figures;
+  std::vector<Published> published;
+  std::filesystem::path file;
+};
+
+} // namespace settle::compare
+
+namespace settle::exchange {
+template <>
+struct EnumNames<compare::Statistic> {
+  static constexpr std::array<std::string_view, 5> names{"max-settlement", "max-vertical-stress", "mean-density",
+                                                         "base-reaction-stress", "refilled-points"};
+};
+} // namespace settle::exchange

@@ -1,0 +1,96 @@
+/// \file
+/// What came out of a campaign: everything a report shows, and nothing it has to compute from files.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "settle/compare/campaign.hpp"
+#include "settle/compare/verdict.hpp"
+#include "settle/exchange/result.hpp"
+
+namespace settle::compare {
+
+/// How a solver's process ended.
+enum class SolverStatus {
+  finished,
+  bad_input,
+  not_converged,
+  file_failed,
+  crashed,
+  timed_out,
+  no_result,
+  bad_result,
+  not_found
+};
+
+/// "finished", "bad input", ...
+std::string_view name_of(SolverStatus status);
+
+/// One solver's part of a run.
+struct SolverRun {
+  std::string solver; ///< "mpm", "fem"
+  SolverStatus status = SolverStatus::no_result;
+  std::string command; ///< as one can type it
+  int exit_code = 0;
+  std::string message;  ///< one sentence where the status is not "finished"
+  std::string tail;     ///< the last lines of the solver's output
+  double wall_time = 0; ///< of the process [s]
+  bool reused = false;  ///< an up-to-date result was already there
+  std::filesystem::path result_file;
+  std::optional<exchange::Result> result;
+};
+
+/// Where an MPM - FEM difference comes from: it is the sum of the three parts at every probe. Norms over probes,
+/// relative to the same norm of the exact solution of what FEM solves.
+struct DifferenceSplit {
+  exchange::Quantity quantity = exchange::Quantity::settlement;
+  double total = 0;            ///< MPM - FEM
+  double mpm_error = 0;        ///< MPM - exact_mpm
+  double model_difference = 0; ///< exact_mpm - exact_fem
+  double fem_error = 0;        ///< exact_fem - FEM
+};
+
+/// A table of another code's results, averaged over points at one height. Same conventions as SamplePoints; one vector
+/// entry a row.
+struct ReferenceTable {
+  std::string title;
+  std::string file;
+  std::vector<int> stage, layer, points;               ///< stage, layer, how many points the row averages
+  std::vector<double> placed_height, settlement;       ///< [m]
+  std::vector<double> vertical_stress, lateral_stress; ///< tension positive [Pa]
+  std::vector<double> density;                         ///< [kg/m3]
+
+  [[nodiscard]] std::size_t size() const { return stage.size(); }
+};
+
+/// One expanded run: a case, its solvers, what was judged.
+struct RunOutcome {
+  std::string name;
+  std::string note;
+  exchange::Case study;
+  std::vector<std::string> overrides; ///< `key=value`
+  std::vector<SolverRun> solvers;
+  std::map<std::string, ReferenceTable> references;
+  std::vector<DifferenceSplit> splits;
+  std::vector<Verdict> verdicts;
+
+  /// The result of a solver, or nullptr.
+  [[nodiscard]] const exchange::Result* result_of(const std::string& solver) const;
+};
+
+/// A whole campaign.
+struct CampaignOutcome {
+  Campaign campaign;
+  std::string command; ///< that runs it again
+  std::string created; ///< UTC, ISO 8601
+  std::string program_version, commit;
+  double wall_time = 0; ///< [s]
+  std::vector<RunOutcome> runs;
+
+  [[nodiscard]] const RunOutcome* find(const std::string& run) const;
+};
+
+} // namespace settle::compare

@@ -1,0 +1,213 @@
+/// \file
+/// The case: everything a solver is told. Plain data, SI units, no physics.
+///
+/// The default member values here are the defaults of the case file; the ranges, units and descriptions of the keys
+/// are in the one table of `src/case_keys.cpp`.
+#pragma once
+
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace settle::exchange {
+
+enum class Shape { column };
+enum class Law { rate, hencky, neo_hookean };
+enum class Convention { refill, level_up, floating, drop };
+enum class MpmElement { triangle, quadrilateral, tetrahedron, hexahedron };
+enum class Basis { linear, gimp, b_spline };
+enum class Integration { mixed, points };
+enum class RefillRule { sub_element, element };
+enum class Scheme { quasi_static, explicit_dynamic };
+enum class FemElement { Q1, Q2 };
+enum class Kinematics { small, finite };
+enum class Quantity { settlement, vertical_stress, lateral_stress, density, base_reaction, mass };
+enum class Norm { l2, linf };
+enum class Over { automatic, points, probes };
+enum class CheckStages { last, all };
+
+/// The names of an enumeration's values as they stand in case files, in the order of the values.
+template <class Enum>
+struct EnumNames;
+
+template <>
+struct EnumNames<Shape> {
+  static constexpr std::array names{std::string_view("column")};
+};
+template <>
+struct EnumNames<Law> {
+  static constexpr std::array<std::string_view, 3> names{"rate", "hencky", "neo-hookean"};
+};
+template <>
+struct EnumNames<Convention> {
+  static constexpr std::array<std::string_view, 4> names{"refill", "level-up", "float", "drop"};
+};
+template <>
+struct EnumNames<MpmElement> {
+  static constexpr std::array<std::string_view, 4> names{"triangle", "quadrilateral", "tetrahedron", "hexahedron"};
+};
+template <>
+struct EnumNames<Basis> {
+  static constexpr std::array<std::string_view, 3> names{"linear", "gimp", "b-spline"};
+};
+template <>
+struct EnumNames<Integration> {
+  static constexpr std::array<std::string_view, 2> names{"mixed", "points"};
+};
+template <>
+struct EnumNames<RefillRule> {
+  static constexpr std::array<std::string_view, 2> names{"sub-element", "element"};
+};
+template <>
+struct EnumNames<Scheme> {
+  static constexpr std::array<std::string_view, 2> names{"quasi-static", "explicit"};
+};
+template <>
+struct EnumNames<FemElement> {
+  static constexpr std::array<std::string_view, 2> names{"Q1", "Q2"};
+};
+template <>
+struct EnumNames<Kinematics> {
+  static constexpr std::array<std::string_view, 2> names{"small", "finite"};
+};
+template <>
+struct EnumNames<Quantity> {
+  static constexpr std::array<std::string_view, 6> names{"settlement", "vertical-stress", "lateral-stress",
+                                                         "density",    "base-reaction",   "mass"};
+};
+template <>
+struct EnumNames<Norm> {
+  static constexpr std::array<std::string_view, 2> names{"l2", "linf"};
+};
+template <>
+struct EnumNames<Over> {
+  static constexpr std::array<std::string_view, 3> names{"automatic", "points", "probes"};
+};
+template <>
+struct EnumNames<CheckStages> {
+  static constexpr std::array<std::string_view, 2> names{"last", "all"};
+};
+
+/// The name of a value as case files spell it.
+template <class Enum>
+constexpr std::string_view name_of(Enum value) {
+  return EnumNames<Enum>::names[static_cast<std::size_t>(value)];
+}
+
+/// The domain that is built up.
+struct Geometry {
+  Shape shape = Shape::column;
+  double height = 0.0;         ///< design height H [m]
+  double width = 0.0;          ///< [m]
+  std::optional<double> depth; ///< third dimension [m]; set by `read_case` to the width where a 3-D case leaves it out
+  int dimension = 2;           ///< 2 (plane strain) or 3
+};
+
+struct Material {
+  Law law = Law::rate;
+  double youngs_modulus = 0.0;    ///< E [Pa]
+  double poissons_ratio = 0.0;    ///< nu [-]
+  double density = 0.0;           ///< as placed [kg/m3]
+  std::optional<double> porosity; ///< [-]; recorded, not used by one-phase solvers
+};
+
+struct Construction {
+  int layers = 1;
+  Convention convention = Convention::refill;
+  std::string material; ///< a name among the case's materials
+};
+
+struct QuasiStatic {
+  int increments = 20;    ///< of a layer's gravity, per stage
+  double residual = 1e-9; ///< relative out-of-balance force accepted per increment [-]
+};
+
+struct ExplicitDynamic {
+  double damping = 0.75;        ///< local damping factor alpha [-]
+  double courant = 0.9;         ///< fraction of the stable step [-]
+  double ramp_time = 10.0;      ///< of a layer's gravity, per stage [s]
+  std::optional<double> hold;   ///< hold after the ramp [s]; nothing: until equilibrium
+  double force_error = 0.001;   ///< sum|F_unbalanced| / sum|F_external| [-]
+  double energy_error = 0.001;  ///< kinetic energy / work of external forces [-]
+  double max_hold_time = 600.0; ///< [s]
+};
+
+/// What the material point method is told.
+struct Mpm {
+  MpmElement element = MpmElement::triangle;
+  double element_size = 0.125; ///< [m]
+  int points_per_element = 3;
+  Basis basis = Basis::linear;
+  Integration integration = Integration::mixed;
+  RefillRule refill = RefillRule::sub_element;
+  bool average_stress = false;
+  Scheme scheme = Scheme::quasi_static;
+  QuasiStatic quasi_static;
+  ExplicitDynamic explicit_dynamic; ///< the table `[mpm.explicit]`
+};
+
+/// What the finite element method is told.
+struct Fem {
+  FemElement element = FemElement::Q1;
+  double element_size = 0.125; ///< [m]
+  Kinematics kinematics = Kinematics::small;
+  std::optional<int> increments; ///< per stage; set by `read_case`: 1 (small), 4 (finite) where left out
+};
+
+/// A vertical line of material points that every solver samples.
+struct Probes {
+  std::optional<double> x;  ///< [m]; set by `read_case` to the middle of the column where left out
+  std::optional<double> y;  ///< [m]; 3-D only, likewise
+  int points_per_layer = 9; ///< both ends of the layer included
+};
+
+/// A table of another code's results at material points, read from a CSV file (see docs/formats.md).
+struct Reference {
+  std::string file; ///< path, relative to the case file's folder
+  std::string title;
+};
+
+/// One comparison and the limit it is held to.
+struct Check {
+  Quantity quantity = Quantity::settlement;
+  std::vector<std::string> between; ///< two of: a solver's name, "exact", a reference's name
+  Norm norm = Norm::l2;
+  Over over = Over::automatic; ///< automatic: points for a leg with exact, probes between solvers
+  CheckStages stages = CheckStages::last;
+  std::vector<int> layers;     ///< first and last layer compared; empty: all
+  double limit = 0.0;          ///< relative to `scale`
+  double at_least = 0.0;       ///< lower end of an expected band, relative to `scale`
+  std::optional<double> scale; ///< SI units of the quantity; nothing: the same norm of the reference
+  std::string why;
+};
+
+/// A whole case file after defaults and overrides.
+struct Case {
+  int format = 1;
+  std::string title;
+  std::string source;
+  double gravity = 0.0; ///< [m/s2]
+  Geometry geometry;
+  std::map<std::string, Material> materials; ///< `[material.NAME]`
+  Construction construction;
+  Mpm mpm;
+  Fem fem;
+  std::map<std::string, Probes> probes;        ///< `[probes.NAME]`
+  std::map<std::string, Reference> references; ///< `[reference.NAME]`
+  std::vector<Check> checks;                   ///< `[[check]]`
+
+  std::string file;                           ///< as given by the user
+  std::map<std::string, std::string> origins; ///< dotted key -> `file:line:column` or `--set ...`; only keys given
+
+  /// The material of the fill. Throws std::out_of_range only if the case did not come from `read_case`.
+  [[nodiscard]] const Material& fill() const { return materials.at(construction.material); }
+  /// Where a key was given, for messages: `file:line:column`, `--set ...`, or the file's name when it was left out.
+  [[nodiscard]] std::string where(const std::string& key) const;
+  /// Design thickness of a layer [m].
+  [[nodiscard]] double layer_thickness() const { return geometry.height / construction.layers; }
+};
+
+} // namespace settle::exchange

@@ -1,0 +1,22 @@
+/// \file
+/// The material points at which every solver samples its solution.
+#pragma once
+
+#include <vector>
+
+#include "settle/exchange/case.hpp"
+
+namespace settle::exchange {
+
+/// One probe point in the design geometry.
+struct ProbePoint {
+  int layer = 1;              ///< 1 ... N
+  double relative_height = 0; ///< xi in [0, 1] within its layer as placed
+  double x = 0, y = 0;        ///< horizontal position [m]; y only in 3-D
+  double design_height = 0;   ///< z_{k-1} + xi t [m]
+};
+
+/// The points of one line, layer by layer from below, both ends of each layer included.
+std::vector<ProbePoint> probe_points(const Case& study, const Probes& line);
+
+} // namespace settle::exchange
