@@ -1,0 +1,34 @@
+/// \file
+/// What a campaign leaves to read: a page, a summary, and the verdicts for machines.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "settle/compare/outcome.hpp"
+
+namespace settle::compare {
+
+/// Writes report.html, summary.md, verdicts.json and junit.xml into `directory`, which is created where needed.
+/// The same outcome gives the same bytes. What machines read is written first, so it is there even if the page fails.
+/// Throws FileError where a file cannot be written, or gnuplot, which draws the figures, is missing or fails.
+void write_report(const CampaignOutcome& outcome, const std::filesystem::path& directory);
+
+/// The whole report as one self-contained page: style and figures (SVG) inside, no script, nothing loaded.
+/// Throws FileError where gnuplot is missing or fails.
+std::string html_report(const CampaignOutcome& outcome);
+
+/// A short Markdown summary, as the job page of a CI service shows it.
+std::string summary_markdown(const CampaignOutcome& outcome);
+
+/// Every verdict with all its fields, as JSON; a number that is not finite is null.
+std::string verdicts_json(const CampaignOutcome& outcome);
+
+/// The verdicts as JUnit XML: a suite a run, a test case a verdict; missing and error are errors.
+std::string junit_xml(const CampaignOutcome& outcome);
+
+/// The verdicts of one run as a report states them: a check or an audit that claims to have passed without a finite
+/// value is missing, and a run in which nothing was judged has one missing verdict that says so.
+std::vector<Verdict> reported_verdicts(const RunOutcome& run);
+
+} // namespace settle::compare

@@ -1,0 +1,164 @@
+#include "figure_data.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "format.hpp"
+#include "settle/exchange/errors.hpp"
+#include "statistics.hpp"
+
+namespace settle::compare::report {
+
+namespace {
+
+using exchange::CheckStages;
+using exchange::Kinematics;
+using exchange::Quantity;
+using exchange::Result;
+
+constexpr std::size_t marker_limit = 110; // a curve drawn with markers, whatever its number of points
+
+/// The profile of a curve at one of the stages 1 ... N.
+Profile profile_at(const Curve& curve, const RunOutcome& run, Quantity quantity, int stage) {
+  if (curve.source == "exact") return exact_profile(run.study, Kinematics::finite, quantity, stage);
+  if (curve.source == "exact-fem") return exact_profile(run.study, run.study.fem.kinematics, quantity, stage);
+  if (const auto reference = run.references.find(curve.source); reference != run.references.end()) {
+    return reference_profile(run.study, reference->second, quantity, stage);
+  }
+  const Result& result = *run.result_of(curve.source);
+  if (curve.source == "mpm") return native_profile(run.study, result, quantity, stage);
+  const Profile probes = probe_profile(run.study, result, quantity, stage);
+  return probes.empty() ? native_profile(run.study, result, quantity, stage) : probes;
+}
+
+/// The density that a curve of Eq. (1) takes; NaN where the run it is to be read from has no result.
+double density_of(const Curve& curve, const RunOutcome& run, const CampaignOutcome& outcome) {
+  if (curve.density) return *curve.density;
+  if (curve.density_of.empty()) return run.study.fill().density;
+  const RunOutcome* source = outcome.find(curve.density_of);
+  return source == nullptr ? std::numeric_limits<double>::quiet_NaN()
+                           : measured(*source, "mpm", Statistic::mean_density);
+}
+
+bool is_marker_source(const RunOutcome& run, const std::string& source) {
+  return source != "exact" && source != "exact-fem" && source != "eq-1" &&
+         (run.references.count(source) != 0 || run.result_of(source) != nullptr);
+}
+
+/// Why a curve cannot be drawn, or nothing.
+std::string obstacle(const Curve& curve, const RunOutcome* run, Quantity quantity, const CampaignOutcome& outcome) {
+  if (!has_profile(quantity)) return fmt::format("{} has no profile over the height", name_of(quantity));
+  if (run == nullptr) return fmt::format("the campaign has no run “{}”", curve.run);
+  if (curve.source == "exact" || curve.source == "exact-fem") return "";
+  if (curve.source == "eq-1") {
+    if (quantity != Quantity::settlement) return "Eq. (1) gives the settlement only";
+    return std::isfinite(density_of(curve, *run, outcome))
+               ? ""
+               : fmt::format("the run “{}” has no MPM result to take the mean density from", curve.density_of);
+  }
+  if (is_marker_source(*run, curve.source)) return "";
+  return fmt::format("the run “{}” has no result of “{}”", curve.run, curve.source);
+}
+
+void drop_values_that_are_not_finite(PlotCurve& curve, std::vector<std::string>& missing) {
+  std::size_t dropped = 0;
+  for (Segment& segment : curve.profile) {
+    const auto bad = std::remove_if(segment.begin(), segment.end(), [](const ProfilePoint& point) {
+      return !std::isfinite(point.value) || !std::isfinite(point.height);
+    });
+    dropped += static_cast<std::size_t>(segment.end() - bad);
+    segment.erase(bad, segment.end());
+  }
+  if (dropped > 0) missing.push_back(fmt::format("{}: {} points have no value and are left out", curve.label, dropped));
+}
+
+/// "after stage k" at the upper end of the stage's profile, unless the place is taken by another curve's label.
+void label_stage(Plot& plot, const Profile& profile, int stage) {
+  if (profile.empty() || profile.back().empty()) return;
+  const ProfilePoint end = profile.back().back();
+  for (const StageLabel& label : plot.stage_labels) {
+    if (std::abs(label.at.height - end.height) < 0.04 * plot.top) return;
+  }
+  plot.stage_labels.push_back({fmt::format("stage {}", stage), end});
+}
+
+void append(Profile& profile, const Profile& more) { profile.insert(profile.end(), more.begin(), more.end()); }
+
+PlotCurve drawn(const Curve& curve, const RunOutcome& run, const CampaignOutcome& outcome, Plot& plot) {
+  PlotCurve result{printable(curve.label), curve.run, curve.source, {}};
+  if (curve.source == "eq-1") {
+    result.profile = equation_1_profile(run.study, density_of(curve, run, outcome));
+    return result;
+  }
+  const Result* solved = run.result_of(curve.source);
+  const int last = solved != nullptr ? static_cast<int>(solved->stages.size()) : run.study.construction.layers;
+  for (int stage = curve.stages == CheckStages::all ? 1 : last; stage <= last; ++stage) {
+    const Profile profile = profile_at(curve, run, plot.quantity, stage);
+    if (curve.stages == CheckStages::all) label_stage(plot, profile, stage);
+    append(result.profile, profile);
+  }
+  if (is_marker_source(run, curve.source)) {
+    const auto stages = curve.stages == CheckStages::all ? static_cast<std::size_t>(last) : 1U;
+    result.profile = thinned(result.profile, marker_limit * (stages + 1) / 2);
+  }
+  return result;
+}
+
+/// The levels between layers, if all runs of the plot agree on them and they are few enough to be read.
+std::vector<double> common_interfaces(const Plot& plot, const CampaignOutcome& outcome) {
+  std::set<int> numbers;
+  for (const PlotCurve& curve : plot.curves) numbers.insert(outcome.find(curve.run)->study.construction.layers);
+  std::vector<double> levels;
+  if (numbers.size() != 1 || *numbers.begin() > 20) return levels;
+  for (int k = 1; k < *numbers.begin(); ++k) levels.push_back(plot.top * k / *numbers.begin());
+  return levels;
+}
+
+} // namespace
+
+Plot plot_of(const Figure& figure, const CampaignOutcome& outcome) {
+  Plot plot{"fig-" + slug(figure.name), figure.title, figure.quantity, 0.0, {}, {}, {}, {}};
+  for (const Curve& curve : figure.curves) {
+    if (const RunOutcome* run = outcome.find(curve.run)) plot.top = std::max(plot.top, run->study.geometry.height);
+  }
+  for (const Curve& curve : figure.curves) {
+    const RunOutcome* run = outcome.find(curve.run);
+    const std::string reason = obstacle(curve, run, figure.quantity, outcome);
+    if (!reason.empty()) {
+      plot.missing.push_back(fmt::format("{}: {}", curve.label, reason));
+      continue;
+    }
+    try {
+      PlotCurve shown = drawn(curve, *run, outcome, plot);
+      drop_values_that_are_not_finite(shown, plot.missing);
+      plot.curves.push_back(std::move(shown));
+    } catch (const exchange::InputError& error) { // there is no exact column
+      plot.missing.push_back(fmt::format("{}: {}", curve.label, error.what()));
+    }
+  }
+  plot.interfaces = common_interfaces(plot, outcome);
+  return plot;
+}
+
+Plot plot_of(const RunOutcome& run, Quantity quantity, const CampaignOutcome& outcome) {
+  Figure figure;
+  figure.name = fmt::format("{} {}", run.name, name_of(quantity));
+  figure.title = fmt::format("{} of {}", axis_of(quantity).title, run.name);
+  figure.quantity = quantity;
+  const auto add = [&](const std::string& source, const std::string& label) {
+    figure.curves.push_back({run.name, source, label, CheckStages::last, {}, {}});
+  };
+  if (run.result_of("mpm") != nullptr) add("mpm", "MPM, material points");
+  if (run.result_of("fem") != nullptr) add("fem", "FEM, probes");
+  for (const auto& [name, table] : run.references) add(name, table.title.empty() ? name : table.title);
+  add("exact", "exact, finite strain (what MPM solves)");
+  if (run.study.fem.kinematics == Kinematics::small && run.result_of("fem") != nullptr) {
+    add("exact-fem", "exact, small strain (what FEM solves)");
+  }
+  return plot_of(figure, outcome);
+}
+
+} // namespace settle::compare::report

@@ -1,0 +1,110 @@
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "curve_styles.hpp"
+#include "format.hpp"
+#include "gnuplot.hpp"
+
+namespace settle::compare::report {
+
+namespace {
+
+// Pixels of the drawing. Narrow, with large letters, so that it is still readable on a phone.
+constexpr int width = 540;
+constexpr int plot_height = 430;
+constexpr int left_margin = 62;
+constexpr int right_margin = 18;
+constexpr int top_margin = 12;
+constexpr int axis_space = 62; // ticks and title below the plot
+constexpr int legend_row = 22;
+constexpr int font_size = 15;
+
+/// A gnuplot string: single quotes, in which nothing is substituted.
+std::string quoted(const std::string& text) {
+  std::string result = "'";
+  for (const char c : printable(text)) {
+    if (c == '\'') result += '\'';
+    result += c == '\n' ? ' ' : c;
+  }
+  return result + "'";
+}
+
+std::string data_block(const PlotCurve& curve, std::size_t index) {
+  std::string block = fmt::format("$curve{} << END_OF_DATA\n", index);
+  for (const Segment& segment : curve.profile) {
+    for (const ProfilePoint& point : segment) block += fmt::format("{:.6g} {:.6g}\n", point.value, point.height);
+    block += "\n"; // a blank line: the layers are not joined
+  }
+  return block + "END_OF_DATA\n";
+}
+
+std::string drawing(const CurveStyle& style) {
+  if (style.line) return fmt::format("with lines lw 1.6 dt {} lc rgb '{}'", style.dash_type, style.colour);
+  return fmt::format("with points pt {} ps {} lc rgb '{}'", style.point_type, style.point_size, style.colour);
+}
+
+std::string plot_command(const Plot& plot) {
+  const std::vector<CurveStyle> styles = styles_of(plot);
+  std::string command = "plot ";
+  for (std::size_t i = 0; i < plot.curves.size(); ++i) {
+    command += fmt::format("{}$curve{} using 1:2 {} title {}", i == 0 ? "" : ", \\\n  ", i, drawing(styles[i]),
+                           quoted(plot.curves[i].label));
+  }
+  return command + "\n";
+}
+
+std::string canvas(std::size_t legend_rows) {
+  const int below = axis_space + legend_row * static_cast<int>(legend_rows) + 8;
+  const int height = top_margin + plot_height + below;
+  const double legend_top = static_cast<double>(below - axis_space) / height;
+  return fmt::format("set encoding utf8\n"
+                     "set terminal svg size {},{} dynamic noenhanced font 'sans-serif,{}'\n"
+                     "set margins screen {:.5f}, screen {:.5f}, screen {:.5f}, screen {:.5f}\n"
+                     "set key at screen 0.02, screen {:.5f} left top vertical Left reverse samplen 2.4 width 0\n",
+                     width, height, font_size, static_cast<double>(left_margin) / width,
+                     1.0 - static_cast<double>(right_margin) / width, static_cast<double>(below) / height,
+                     1.0 - static_cast<double>(top_margin) / height, legend_top);
+}
+
+std::string axes(const Plot& plot) {
+  const Axis axis = axis_of(plot.quantity);
+  return fmt::format("set border 3 lw 1 lc rgb '#555555'\n"
+                     "set tics nomirror out scale 0.6\n"
+                     "set grid xtics lt 1 lw 0.8 lc rgb '#E4E4E4'\n"
+                     "set xlabel {} offset 0,0.2\n"
+                     "set ylabel 'Height in the design geometry [m]' offset 1.2,0\n"
+                     "set xrange [{}:*]\n"
+                     "set yrange [0:{:.6g}]\n",
+                     quoted(axis.title + " [" + axis.unit + "]"),
+                     plot.quantity == exchange::Quantity::density ? "*" : "*<0", 1.02 * plot.top);
+}
+
+std::string layer_lines(const Plot& plot) {
+  std::string text;
+  for (const double level : plot.interfaces) {
+    text += fmt::format("set arrow from graph 0, first {0:.6g} to graph 1, first {0:.6g} nohead back lt 1 lw 0.8 "
+                        "dt 3 lc rgb '#BBBBBB'\n",
+                        level);
+  }
+  return text;
+}
+
+std::string stage_labels(const Plot& plot) {
+  std::string text;
+  for (const StageLabel& label : plot.stage_labels) {
+    text += fmt::format("set label {} at {:.6g}, {:.6g} left offset 0.6,-0.1 font 'sans-serif,13' tc rgb '#444444' front\n",
+                        quoted(label.text), label.at.value, label.at.height);
+  }
+  return text;
+}
+
+} // namespace
+
+std::string gnuplot_script(const Plot& plot) {
+  std::string script = canvas(plot.curves.size()) + axes(plot) + layer_lines(plot) + stage_labels(plot);
+  for (std::size_t i = 0; i < plot.curves.size(); ++i) script += data_block(plot.curves[i], i);
+  return script + plot_command(plot);
+}
+
+} // namespace settle::compare::report

@@ -1,0 +1,60 @@
+#include <nlohmann/json.hpp>
+
+#include "html_parts.hpp"
+#include "settle/exchange/case_io.hpp"
+#include "settle/exchange/document.hpp"
+
+namespace settle::compare::report {
+
+namespace {
+
+namespace document = exchange::document;
+using nlohmann::json;
+
+/// The schema of a key: among the properties of its table, or what any key of a table of free names is.
+json schema_of(const json& table, const std::string& key) {
+  const json properties = table.value("properties", json::object());
+  if (properties.contains(key)) return properties.at(key);
+  const json others = table.value("additionalProperties", json(false));
+  return others.is_object() ? others : json::object();
+}
+
+/// Tables that no solver of this run reads, and keys the page shows elsewhere.
+bool is_left_out(const RunOutcome& run, const std::string& key) {
+  const auto runs = [&](const char* solver) {
+    for (const SolverRun& each : run.solvers) {
+      if (each.solver == solver) return true;
+    }
+    return false;
+  };
+  if (key == "mpm" || key == "fem") return !runs(key.c_str());
+  if (key == "mpm.quasi_static") return run.study.mpm.scheme != exchange::Scheme::quasi_static;
+  if (key == "mpm.explicit") return run.study.mpm.scheme != exchange::Scheme::explicit_dynamic;
+  return key == "check" || key == "title" || key == "source" || key == "format";
+}
+
+void append_rows(const RunOutcome& run, const document::Table& table, const json& schema, const std::string& path,
+                 Table& rows) {
+  for (const document::Entry& entry : table) {
+    const std::string key = path.empty() ? entry.key : path + "." + entry.key;
+    if (is_left_out(run, key)) continue;
+    const json facts = schema_of(schema, entry.key);
+    if (const auto* inner = std::get_if<document::Table>(&entry.value.data)) {
+      append_rows(run, *inner, facts, key, rows);
+    } else {
+      rows.rows.push_back(
+          {{.text = key}, {.text = document::to_inline_toml(entry.value)}, {.text = facts.value("description", "")}});
+    }
+  }
+}
+
+} // namespace
+
+Table parameter_table(const RunOutcome& run) {
+  Table rows{"Parameters, defaults filled in", {{"Key", "", false}, {"Value", "", true}, {"Meaning [unit]", "", false}}, {}};
+  append_rows(run, document::parse(exchange::to_toml(run.study), run.study.file), json::parse(exchange::case_schema()),
+              "", rows);
+  return rows;
+}
+
+} // namespace settle::compare::report

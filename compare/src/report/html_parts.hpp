@@ -1,0 +1,41 @@
+/// \file
+/// The parts of the page, in its order. Each returns HTML.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "html_table.hpp"
+#include "settle/compare/outcome.hpp"
+
+namespace settle::compare::report {
+
+struct Plot;
+
+/// The address of a run's section: unique in the page.
+std::string anchor_of(const CampaignOutcome& outcome, const RunOutcome& run);
+
+/// Verdicts, what did not pass first; a long list of passed ones is folded.
+std::string verdicts_html(const CampaignOutcome& outcome);
+/// One line a run: status, key figures, time.
+std::string overview_html(const CampaignOutcome& outcome);
+/// A figure with its caption.
+std::string figure_html(const Plot& plot, const std::string& caption);
+/// The published numbers beside ours; empty where the campaign has none.
+std::string published_html(const CampaignOutcome& outcome);
+/// One run's section.
+std::string run_html(const CampaignOutcome& outcome, const RunOutcome& run);
+
+/// Tables of a run's section.
+Table solver_table(const RunOutcome& run);
+Table key_figure_table(const RunOutcome& run);
+Table split_table(const RunOutcome& run);
+Table balance_table(const RunOutcome& run, const SolverRun& solver);
+Table refill_table(const exchange::Result& result);
+Table parameter_table(const RunOutcome& run);
+Table provenance_table(const RunOutcome& run);
+
+/// A sentence for each solver that ended a stage out of equilibrium, or was told not to wait for it.
+std::vector<std::string> out_of_equilibrium(const RunOutcome& run);
+
+} // namespace settle::compare::report

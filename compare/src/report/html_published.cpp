@@ -1,0 +1,62 @@
+#include <cmath>
+
+#include "format.hpp"
+#include "html_parts.hpp"
+#include "statistics.hpp"
+#include "templates.hpp"
+
+namespace settle::compare::report {
+
+namespace {
+
+std::vector<Cell> published_row(const CampaignOutcome& outcome, const Published& published) {
+  const StatisticForm form = form_of(published.statistic);
+  const RunOutcome* run = outcome.find(published.run);
+  const auto shown = [&](double value) { return Cell{.text = number(form.factor * value)}; };
+  if (run == nullptr) {
+    std::vector<Cell> row(10, {.text = std::string(no_value)});
+    row[0] = {.text = published.label, .small_print = "the campaign has no run “" + published.run + "”"};
+    row[2] = shown(published.value);
+    row[9] = {.text = published.why};
+    return row;
+  }
+  const double ours = measured(*run, published.source, published.statistic);
+  const double fem = published.source == "fem" || published.statistic == Statistic::refilled_points
+                         ? std::nan("")
+                         : measured(*run, "fem", published.statistic);
+  const double exact = exact_value(*run, published.source, published.statistic);
+  return {{.text = published.label,
+           .link = "#" + anchor_of(outcome, *run),
+           .small_print = form.title + (form.unit.empty() ? "" : " [" + form.unit + "]")},
+          {.text = published.run, .small_print = "by " + published.source},
+          shown(published.value),
+          shown(ours),
+          shown(fem),
+          shown(exact),
+          {.text = difference(published.value, ours)},
+          {.text = difference(published.value, exact)},
+          {.text = difference(ours, exact)},
+          {.text = published.why}};
+}
+
+} // namespace
+
+std::string published_html(const CampaignOutcome& outcome) {
+  if (outcome.campaign.published.empty()) return "";
+  Table table{"Numbers somebody printed, beside ours and the exact ones",
+              {{"Number", "", false},
+               {"Run", "", false},
+               {"Printed", "", true},
+               {"Ours", "", true},
+               {"Our FEM", "", true},
+               {"Exact", "", true},
+               {"Printed − ours", "", true},
+               {"Printed − exact", "", true},
+               {"Ours − exact", "", true},
+               {"Why they differ", "", false}},
+              {}};
+  for (const Published& published : outcome.campaign.published) table.rows.push_back(published_row(outcome, published));
+  return kainjow::mustache::mustache(templates::published).render(data("table", html_of(table)));
+}
+
+} // namespace settle::compare::report

@@ -1,0 +1,105 @@
+#include <fmt/format.h>
+
+#include "figure_data.hpp"
+#include "format.hpp"
+#include "html_parts.hpp"
+#include "reported_verdicts.hpp"
+#include "statistics.hpp"
+#include "templates.hpp"
+
+namespace settle::compare::report {
+
+namespace {
+
+using exchange::Quantity;
+
+data paragraphs(const std::vector<std::string>& texts) {
+  data list(data::type::list);
+  for (const std::string& text : texts) list.push_back(data("text", printable(text)));
+  return texts.empty() ? data(false) : list;
+}
+
+std::string figures(const CampaignOutcome& outcome, const RunOutcome& run) {
+  std::string html;
+  for (const Quantity quantity : {Quantity::settlement, Quantity::vertical_stress}) {
+    Plot plot = plot_of(run, quantity, outcome);
+    plot.id = fmt::format("{}-{}", anchor_of(outcome, run), name_of(quantity));
+    html += figure_html(plot, "");
+  }
+  return html;
+}
+
+std::string balances(const RunOutcome& run) {
+  std::string html;
+  for (const SolverRun& solver : run.solvers) {
+    if (solver.result) html += html_of(balance_table(run, solver));
+  }
+  return html;
+}
+
+data refill(const RunOutcome& run) {
+  if (!(measured(run, "mpm", Statistic::refilled_points) > 0.0)) return data(false);
+  return data(html_of(refill_table(*run.result_of("mpm"))));
+}
+
+/// What the solvers that did not finish said last.
+data tails(const RunOutcome& run) {
+  data list(data::type::list);
+  bool any = false;
+  for (const SolverRun& solver : run.solvers) {
+    if (solver.tail.empty() || solver.status == SolverStatus::finished) continue;
+    data entry("solver", solver.solver);
+    entry.set("tail", printable(solver.tail));
+    list.push_back(entry);
+    any = true;
+  }
+  return any ? list : data(false);
+}
+
+data commands(const RunOutcome& run) {
+  data list(data::type::list);
+  for (const SolverRun& solver : run.solvers) list.push_back(data("command", printable(solver.command)));
+  return list;
+}
+
+data case_text(const RunOutcome& run) {
+  for (const SolverRun& solver : run.solvers) {
+    if (solver.result) return text_or_nothing(solver.result->case_text);
+  }
+  return data(false);
+}
+
+} // namespace
+
+std::string run_html(const CampaignOutcome& outcome, const RunOutcome& run) {
+  const std::vector<Verdict> verdicts = reported_verdicts(run);
+  const Status status = worst(verdicts);
+  const std::vector<std::string> restless = out_of_equilibrium(run);
+  data section;
+  section.set("id", anchor_of(outcome, run));
+  section.set("name", printable(run.name));
+  section.set("status", std::string(name_of(status)));
+  section.set("status_text", status_text(status));
+  section.set("counts", count_text(count(verdicts)));
+  section.set("open", status != Status::passed);
+  section.set("title", text_or_nothing(run.study.title));
+  section.set("source", text_or_nothing(run.study.source));
+  section.set("note", text_or_nothing(run.note));
+  section.set("out_of_equilibrium", !restless.empty());
+  section.set("restless", paragraphs(restless));
+  section.set("overrides", paragraphs(run.overrides));
+  section.set("solvers", html_of(solver_table(run)));
+  section.set("tails", tails(run));
+  section.set("key_figures", html_of(key_figure_table(run)));
+  section.set("figures", figures(outcome, run));
+  section.set("splits", run.splits.empty() ? data(false) : data(html_of(split_table(run))));
+  section.set("balances", balances(run));
+  section.set("refill", refill(run));
+  section.set("parameters", html_of(parameter_table(run)));
+  section.set("case_text", case_text(run));
+  section.set("commands", commands(run));
+  section.set("provenance", html_of(provenance_table(run)));
+  return kainjow::mustache::mustache(templates::run).render(section);
+}
+
+} // namespace settle::compare::report

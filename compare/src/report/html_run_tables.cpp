@@ -1,0 +1,200 @@
+#include <cmath>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "format.hpp"
+#include "html_parts.hpp"
+#include "profiles.hpp"
+#include "settle/exchange/errors.hpp"
+#include "statistics.hpp"
+
+namespace settle::compare::report {
+
+namespace {
+
+using exchange::Stage;
+
+std::string in_exact_column(const RunOutcome& run, const std::string& solver, int stage) {
+  try {
+    return number(ExactColumn(run.study, kinematics_of(run, solver)).surface_height(stage), 5);
+  } catch (const exchange::InputError&) {
+    return std::string(no_value); // the column does not exist: it is too soft to stand
+  }
+}
+
+std::vector<Column> balance_columns(const exchange::Case& study) {
+  const std::string mass = study.geometry.dimension == 3 ? "kg" : "kg/m";
+  return {{"Stage", "", false},
+          {"Layer", "", true},
+          {"Steps", "", true},
+          {"Linear solves", "", true},
+          {"Mass before", mass, true},
+          {"+ placed", mass, true},
+          {"+ refilled", mass, true},
+          {"= mass", mass, true},
+          {"Gap", "", true},
+          {"Weight", "kPa", true},
+          {"Base reaction", "kPa", true},
+          {"Difference", "", true},
+          {"Out of balance", "", true},
+          {"Surface", "m", true},
+          {"Exact surface", "m", true},
+          {"Equilibrium", "", false}};
+}
+
+std::vector<Cell> balance_row(const RunOutcome& run, const std::string& solver, const Stage& stage, double before) {
+  const double area = plan_area(run.study);
+  const double gap = (before + stage.mass_placed + stage.mass_refilled - stage.mass) / stage.mass;
+  const double reaction = (stage.base_reaction - stage.weight) / stage.weight;
+  return {{.text = std::to_string(stage.layer)},
+          {.text = std::to_string(stage.layer)},
+          {.text = std::to_string(stage.steps)},
+          {.text = std::to_string(stage.linear_solves)},
+          {.text = number(before, 5)},
+          {.text = number(stage.mass_placed, 5)},
+          {.text = number(stage.mass_refilled, 5)},
+          {.text = number(stage.mass, 5)},
+          {.text = number(gap, 3)},
+          {.text = number(1e-3 * stage.weight / area, 5)},
+          {.text = number(1e-3 * stage.base_reaction / area, 5)},
+          {.text = ratio(reaction)},
+          {.text = number(stage.out_of_balance, 3)},
+          {.text = number(stage.surface_height, 5)},
+          {.text = in_exact_column(run, solver, stage.layer)},
+          stage.in_equilibrium ? Cell{.text = "yes"} : Cell{.text = "no", .badge = "unheld"}};
+}
+
+} // namespace
+
+Table solver_table(const RunOutcome& run) {
+  Table table{"Solvers", {{"Solver", "", false}, {"Status", "", false}, {"Steps", "", true}, {"Wall time", "", true},
+                          {"What happened", "", false}}, {}};
+  for (const SolverRun& solver : run.solvers) {
+    const bool finished = solver.status == SolverStatus::finished;
+    std::int64_t steps = 0;
+    if (solver.result) {
+      for (const Stage& stage : solver.result->stages) steps += stage.steps;
+    }
+    table.rows.push_back({{.text = solver.solver},
+                          {.text = std::string(name_of(solver.status)), .badge = finished ? "passed" : "error"},
+                          {.text = solver.result ? std::to_string(steps) : std::string(no_value)},
+                          {.text = duration(solver.wall_time)},
+                          {.text = solver.message, .small_print = solver.reused ? "an earlier result was up to date" : ""}});
+  }
+  return table;
+}
+
+Table key_figure_table(const RunOutcome& run) {
+  Table table{"Key figures at the last stage; exact: of the model that the solver solves",
+              {{"Quantity", "", false}, {"Unit", "", false}},
+              {}};
+  for (const SolverRun& solver : run.solvers) {
+    const std::string name = solver.solver == "mpm" || solver.solver == "fem" ? (solver.solver == "mpm" ? "MPM" : "FEM")
+                                                                              : solver.solver;
+    table.columns.push_back({name, "", true});
+    table.columns.push_back({"exact", "", true});
+    table.columns.push_back({name + " − exact", "", true});
+  }
+  for (const Statistic statistic : {Statistic::max_settlement, Statistic::max_vertical_stress, Statistic::mean_density,
+                                    Statistic::base_reaction_stress, Statistic::refilled_points}) {
+    const StatisticForm form = form_of(statistic);
+    std::vector<Cell> row{{.text = form.title}, {.text = form.unit}};
+    for (const SolverRun& solver : run.solvers) {
+      const double value = measured(run, solver.solver, statistic);
+      const double exact = exact_value(run, solver.solver, statistic);
+      row.push_back({.text = number(form.factor * value, 5)});
+      row.push_back({.text = number(form.factor * exact, 5)});
+      row.push_back({.text = difference(value, exact)});
+    }
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+Table split_table(const RunOutcome& run) {
+  Table table{"Where MPM and FEM part (l2 over probes, relative to the exact solution of what FEM solves)",
+              {{"Quantity", "", false},
+               {"MPM − FEM", "", true},
+               {"MPM error", "", true},
+               {"Model difference", "", true},
+               {"FEM error", "", true}},
+              {}};
+  for (const DifferenceSplit& split : run.splits) {
+    table.rows.push_back({{.text = std::string(name_of(split.quantity))},
+                          {.text = ratio(split.total)},
+                          {.text = ratio(split.mpm_error)},
+                          {.text = ratio(split.model_difference)},
+                          {.text = ratio(split.fem_error)}});
+  }
+  return table;
+}
+
+Table balance_table(const RunOutcome& run, const SolverRun& solver) {
+  Table table{fmt::format("Balance of {}, stage by stage", solver.solver), balance_columns(run.study), {}};
+  double before = 0.0;
+  for (const Stage& stage : solver.result->stages) {
+    table.rows.push_back(balance_row(run, solver.solver, stage, before));
+    before = stage.mass;
+  }
+  return table;
+}
+
+Table refill_table(const exchange::Result& result) {
+  Table table{"Points added to make up for settlement, after the last stage", {{"Layer", "", false}, {"Points", "", true},
+                                                                               {"Refilled", "", true}}, {}};
+  const exchange::SamplePoints& points = result.stages.back().points;
+  std::map<int, std::pair<int, int>> numbers; // layer -> all, refilled
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    auto& [all, refilled] = numbers[points.layer[i]];
+    ++all;
+    refilled += points.refilled[i] != 0 ? 1 : 0;
+  }
+  for (const auto& [layer, of_layer] : numbers) {
+    table.rows.push_back({{.text = std::to_string(layer)},
+                          {.text = std::to_string(of_layer.first)},
+                          {.text = std::to_string(of_layer.second)}});
+  }
+  return table;
+}
+
+Table provenance_table(const RunOutcome& run) {
+  Table table{"Provenance", {{"Solver", "", false}, {"Program", "", false}, {"Version", "", false}, {"Commit", "", false},
+                             {"Case (SHA-256)", "", false}, {"Created", "", false}, {"Threads", "", true},
+                             {"Result file", "", false}}, {}};
+  for (const SolverRun& solver : run.solvers) {
+    if (!solver.result) continue;
+    const exchange::Provenance& from = solver.result->provenance;
+    table.rows.push_back({{.text = solver.solver},
+                          {.text = from.solver},
+                          {.text = from.program_version},
+                          {.text = from.commit},
+                          {.text = from.case_sha256.substr(0, 16)},
+                          {.text = from.created},
+                          {.text = std::to_string(from.threads)},
+                          {.text = solver.result_file.filename().string()}});
+  }
+  return table;
+}
+
+std::vector<std::string> out_of_equilibrium(const RunOutcome& run) {
+  std::vector<std::string> sentences;
+  for (const SolverRun& solver : run.solvers) {
+    if (!solver.result) continue;
+    std::vector<int> stages;
+    double worst = 0.0;
+    for (const Stage& stage : solver.result->stages) {
+      if (stage.in_equilibrium) continue;
+      stages.push_back(stage.layer);
+      worst = std::max(worst, stage.out_of_balance);
+    }
+    if (stages.empty()) continue;
+    sentences.push_back(fmt::format(
+        "{} ended {} of {} stages out of equilibrium (up to {} out of balance): its numbers are a moment of a motion, "
+        "not a state of rest, and are not expected to meet the exact solution.",
+        solver.solver, stages.size(), solver.result->stages.size(), ratio(worst)));
+  }
+  return sentences;
+}
+
+} // namespace settle::compare::report

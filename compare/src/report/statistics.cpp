@@ -1,0 +1,134 @@
+#include "statistics.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "settle/compare/exact_column.hpp"
+#include "settle/compare/field_samples.hpp"
+#include "settle/exchange/errors.hpp"
+
+namespace settle::compare::report {
+
+namespace {
+
+using exchange::Quantity;
+using exchange::Result;
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+/// NaN where one of the samples is.
+double largest(const FieldSamples& samples, double sign, double so_far) {
+  for (const double value : samples.value) {
+    if (!(sign * value <= so_far)) so_far = sign * value;
+  }
+  return so_far;
+}
+
+/// Over the points that were not refilled at the last stage, stresses compression positive.
+double largest_value(const Result& result, const std::string& source, Quantity quantity) {
+  const exchange::Stage& last = result.stages.back();
+  const int dimension = result.used.dimension;
+  const double sign = quantity == Quantity::settlement ? 1.0 : -1.0;
+  constexpr double lowest = -std::numeric_limits<double>::infinity();
+  const double value = largest(point_samples(last, dimension, quantity), sign, lowest);
+  return source == "mpm" ? value : largest(probe_samples(last, dimension, quantity), sign, value);
+}
+
+double total_volume(const exchange::SamplePoints& points) {
+  double sum = 0.0;
+  for (const double volume : points.volume) sum += volume;
+  return sum;
+}
+
+double of_reference(const ReferenceTable& table, Statistic statistic) {
+  if (table.size() == 0) return nan;
+  constexpr double lowest = -std::numeric_limits<double>::infinity();
+  const int last = *std::max_element(table.stage.begin(), table.stage.end());
+  switch (statistic) {
+  case Statistic::max_settlement:
+    return largest(table_samples(table, last, Quantity::settlement), 1.0, lowest);
+  case Statistic::max_vertical_stress:
+    return largest(table_samples(table, last, Quantity::vertical_stress), -1.0, lowest);
+  case Statistic::mean_density:
+  case Statistic::base_reaction_stress:
+  case Statistic::refilled_points:
+    return nan;
+  }
+  return nan;
+}
+
+double exact_statistic(const ExactColumn& exact, int last, Statistic statistic) {
+  switch (statistic) {
+  case Statistic::max_settlement:
+    return exact.largest_settlement(last);
+  case Statistic::max_vertical_stress:
+  case Statistic::base_reaction_stress:
+    return exact.base_stress(last);
+  case Statistic::mean_density:
+    return exact.mean_density(last);
+  case Statistic::refilled_points:
+    return nan;
+  }
+  return nan;
+}
+
+} // namespace
+
+StatisticForm form_of(Statistic statistic) {
+  switch (statistic) {
+  case Statistic::max_settlement:
+    return {"largest settlement", "m", 1.0};
+  case Statistic::max_vertical_stress:
+    return {"largest vertical stress", "kPa", 1e-3};
+  case Statistic::mean_density:
+    return {"mean density", "kg/m³", 1.0};
+  case Statistic::base_reaction_stress:
+    return {"base reaction over area", "kPa", 1e-3};
+  case Statistic::refilled_points:
+    return {"refilled points", "", 1.0};
+  }
+  return {};
+}
+
+double plan_area(const exchange::Case& study) {
+  const double depth = study.geometry.dimension == 3 ? study.geometry.depth.value_or(study.geometry.width) : 1.0;
+  return study.geometry.width * depth;
+}
+
+exchange::Kinematics kinematics_of(const RunOutcome& run, const std::string& source) {
+  if (const Result* result = run.result_of(source)) return result->used.kinematics;
+  return source == "fem" ? run.study.fem.kinematics : exchange::Kinematics::finite;
+}
+
+double measured(const RunOutcome& run, const std::string& source, Statistic statistic) {
+  if (const auto table = run.references.find(source); table != run.references.end()) {
+    return of_reference(table->second, statistic);
+  }
+  const Result* result = run.result_of(source);
+  if (result == nullptr || result->stages.empty()) return nan;
+  const exchange::Stage& last = result->stages.back();
+  switch (statistic) {
+  case Statistic::max_settlement:
+    return largest_value(*result, source, Quantity::settlement);
+  case Statistic::max_vertical_stress:
+    return largest_value(*result, source, Quantity::vertical_stress);
+  case Statistic::mean_density:
+    return last.mass / total_volume(last.points);
+  case Statistic::base_reaction_stress:
+    return last.base_reaction / plan_area(run.study);
+  case Statistic::refilled_points:
+    return static_cast<double>(std::count(last.points.refilled.begin(), last.points.refilled.end(), 1));
+  }
+  return nan;
+}
+
+double exact_value(const RunOutcome& run, const std::string& source, Statistic statistic) {
+  try {
+    const ExactColumn exact(run.study, kinematics_of(run, source));
+    return exact_statistic(exact, run.study.construction.layers, statistic);
+  } catch (const exchange::InputError&) {
+    return nan; // the column does not exist: it is too soft to stand
+  }
+}
+
+} // namespace settle::compare::report

@@ -1,0 +1,90 @@
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "format.hpp"
+#include "html_parts.hpp"
+#include "reported_verdicts.hpp"
+#include "statistics.hpp"
+
+namespace settle::compare {
+
+using namespace report;
+
+namespace {
+
+constexpr std::size_t longest_list = 30; // verdicts that did not pass; the page has the rest
+
+/// Text inside a cell of a Markdown table: one line, nothing that a renderer would take for markup.
+std::string cell(const std::string& text) {
+  std::string result;
+  for (const char c : printable(text)) {
+    if (c == '\n') {
+      result += ' ';
+      continue;
+    }
+    if (c == '<') {
+      result += "&lt;";
+      continue;
+    }
+    if (c == '|' || c == '*' || c == '_' || c == '`' || c == '[' || c == '\\') result += '\\';
+    result += c;
+  }
+  return result;
+}
+
+std::string problems(const std::vector<Verdict>& verdicts) {
+  std::string text = "## Did not pass\n\n| status | run | what | value | accepted | reason |\n|---|---|---|---:|---:|---|\n";
+  std::size_t listed = 0, left = 0;
+  for (const Verdict& verdict : worst_first(verdicts)) {
+    if (verdict.status == Status::passed) break;
+    if (listed == longest_list) {
+      ++left;
+      continue;
+    }
+    const std::string band = accepted_band(verdict);
+    text += fmt::format("| {} | {} | {} | {} | {} | {} |\n", status_text(verdict.status), cell(verdict.run),
+                        cell(verdict.what), band.empty() ? "" : value_text(verdict, verdict.value), band,
+                        cell(verdict.message.empty() ? verdict.why : verdict.message));
+    ++listed;
+  }
+  if (left > 0) text += fmt::format("\n{} more are in report.html.\n", left);
+  return listed == 0 ? "" : text + "\n";
+}
+
+std::string figure(const RunOutcome& run, const std::string& solver, Statistic statistic) {
+  const double value = measured(run, solver, statistic);
+  if (!std::isfinite(value)) return std::string(no_value);
+  return fmt::format("{} ({})", number(form_of(statistic).factor * value),
+                     difference(value, exact_value(run, solver, statistic)));
+}
+
+std::string key_figures(const CampaignOutcome& outcome) {
+  std::string text = "## Runs\n\nLast stage; in brackets the difference from the exact solution of the same model.\n\n"
+                     "| run | verdicts | MPM settlement [m] | MPM stress [kPa] | MPM mean density [kg/m³] "
+                     "| FEM settlement [m] | FEM stress [kPa] |\n|---|---|---:|---:|---:|---:|---:|\n";
+  for (const RunOutcome& run : outcome.runs) {
+    const std::string remark = out_of_equilibrium(run).empty() ? "" : " — out of equilibrium";
+    text += fmt::format("| {}{} | {} | {} | {} | {} | {} | {} |\n", cell(run.name), remark,
+                        count_text(count(reported_verdicts(run))), figure(run, "mpm", Statistic::max_settlement),
+                        figure(run, "mpm", Statistic::max_vertical_stress), figure(run, "mpm", Statistic::mean_density),
+                        figure(run, "fem", Statistic::max_settlement),
+                        figure(run, "fem", Statistic::max_vertical_stress));
+  }
+  return text;
+}
+
+} // namespace
+
+std::string summary_markdown(const CampaignOutcome& outcome) {
+  const std::vector<Verdict> verdicts = all_verdicts(outcome);
+  const std::string head =
+      fmt::format("# {}\n\n**{}** — {} in {} runs, {}\n\n", cell(outcome.campaign.title), status_text(worst(verdicts)),
+                  count_text(count(verdicts)), outcome.runs.size(), duration(outcome.wall_time));
+  const std::string tail = fmt::format("\nsettle {} ({}), {}. Again: `{}`\n", outcome.program_version, outcome.commit,
+                                       outcome.created, printable(outcome.command));
+  return head + problems(verdicts) + key_figures(outcome) + tail;
+}
+
+} // namespace settle::compare

@@ -1,0 +1,15 @@
+/// \file
+/// The texts of compare/templates, put into the library when it is built (EmbedTemplates.cmake).
+#pragma once
+
+namespace settle::compare::report::templates {
+
+extern const char* const page;
+extern const char* const style;
+extern const char* const table;
+extern const char* const verdicts;
+extern const char* const figure;
+extern const char* const run;
+extern const char* const published;
+
+} // namespace settle::compare::report::templates

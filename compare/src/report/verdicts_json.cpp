@@ -1,0 +1,38 @@
+#include <nlohmann/json.hpp>
+
+#include "format.hpp"
+#include "reported_verdicts.hpp"
+
+namespace settle::compare {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json to_json(const Verdict& verdict) {
+  return {{"status", name_of(verdict.status)}, {"run", verdict.run},           {"kind", verdict.kind},
+          {"what", verdict.what},              {"value", verdict.value},       {"at_least", verdict.at_least},
+          {"limit", verdict.limit},            {"scale", verdict.scale},       {"why", verdict.why},
+          {"message", report::printable(verdict.message)}};
+}
+
+} // namespace
+
+std::string verdicts_json(const CampaignOutcome& outcome) {
+  const std::vector<Verdict> verdicts = report::all_verdicts(outcome);
+  ordered_json counts;
+  for (const auto& [status, number] : report::count(verdicts)) counts[std::string(name_of(status))] = number;
+  ordered_json list = ordered_json::array();
+  for (const Verdict& verdict : verdicts) list.push_back(to_json(verdict));
+  const ordered_json document{{"format", "settle-verdicts"},
+                              {"campaign", outcome.campaign.title},
+                              {"program_version", outcome.program_version},
+                              {"commit", outcome.commit},
+                              {"created", outcome.created},
+                              {"status", name_of(worst(verdicts))},
+                              {"counts", counts},
+                              {"verdicts", list}};
+  return document.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+}
+
+} // namespace settle::compare
