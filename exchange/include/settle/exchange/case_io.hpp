@@ -24,4 +24,7 @@ std::string to_toml(const Case& study);
 /// JSON Schema (draft-07) of case files, made from the same table of keys that reads them.
 std::string case_schema();
 
+/// The tables of all keys in docs/formats.md, from the same table of keys.
+std::string case_keys_markdown();
+
 } // namespace settle::exchange

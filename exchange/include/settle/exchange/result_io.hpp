@@ -22,7 +22,8 @@ public:
   ResultWriter& operator=(ResultWriter&&) noexcept;
   ~ResultWriter();
 
-  /// Appends one stage. Throws FileError on a failed write; InvalidResult is our bug and asserts.
+  /// Appends one stage. Throws FileError on a failed write, std::logic_error for vectors whose sizes do not
+  /// belong together (a defect of the solver that calls).
   void write(const Stage& stage);
   /// Writes wall time, thread count and status, closes and renames. Throws FileError.
   void finish(double wall_time, int threads);

@@ -1,0 +1,102 @@
+#include "case_consistency.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "settle/exchange/spelling.hpp"
+
+namespace settle::exchange {
+namespace {
+
+void check_material(const Case& study, Reading& reading) {
+  const std::string& name = study.construction.material;
+  if (name.empty() || study.materials.contains(name)) return; // empty: its absence has been complained about
+  std::vector<std::string> names;
+  for (const auto& [known, material] : study.materials)
+    names.push_back(known);
+  const auto nearest = nearest_spelling(name, names);
+  reading.complain(
+      {.where = study.where("construction.material"),
+       .what = "construction.material names a material that is not in the case",
+       .given = name,
+       .allowed = fmt::format("{}", fmt::join(names, ", ")),
+       .remedy = nearest ? fmt::format("did you mean {}?", *nearest) : fmt::format("add a table [material.{}]", name)});
+}
+
+void check_probe(double position, double extent, const std::string& key, const Case& study, Reading& reading) {
+  if (position >= 0 && position <= extent) return;
+  reading.complain({.where = study.where(key),
+                    .what = key + " lies outside the construction",
+                    .given = fmt::format("{}", position),
+                    .allowed = fmt::format("from 0 to {} [m]", extent),
+                    .remedy = "leave it out for the middle"});
+}
+
+void check_probes(const Case& study, Reading& reading) {
+  const Geometry& geometry = study.geometry;
+  for (const auto& [name, line] : study.probes) {
+    const std::string key = "probes." + name;
+    if (line.x) check_probe(*line.x, geometry.width, key + ".x", study, reading);
+    if (line.y && geometry.depth) check_probe(*line.y, *geometry.depth, key + ".y", study, reading);
+  }
+}
+
+void check_references(const Case& study, Reading& reading) {
+  constexpr std::array<std::string_view, 3> reserved{"mpm", "fem", "exact"};
+  for (const auto& [name, reference] : study.references) {
+    if (std::find(reserved.begin(), reserved.end(), name) == reserved.end()) continue;
+    reading.complain({.where = study.where("reference." + name),
+                      .what = fmt::format("reference.{} has a name with a meaning of its own", name),
+                      .given = name,
+                      .allowed = fmt::format("any name but {}", fmt::join(reserved, ", ")),
+                      .remedy = {}});
+  }
+}
+
+void check_between(const Check& check, const std::string& key, const Case& study, Reading& reading) {
+  if (check.between.size() != 2 || check.between[0] != check.between[1]) return;
+  reading.complain({.where = study.where(key + ".between"),
+                    .what = key + ".between compares something with itself",
+                    .given = fmt::format("{}, {}", check.between[0], check.between[1]),
+                    .allowed = "two different entries",
+                    .remedy = {}});
+}
+
+void check_layers(const Check& check, const std::string& key, const Case& study, Reading& reading) {
+  if (check.layers.size() != 2) return;
+  const int first = check.layers[0], last = check.layers[1], layers = study.construction.layers;
+  if (first <= last && last <= layers) return;
+  reading.complain({.where = study.where(key + ".layers"),
+                    .what = key + ".layers is not a range of the case's layers",
+                    .given = fmt::format("[{}, {}]", first, last),
+                    .allowed = fmt::format("first and last layer, from 1 to {}", layers),
+                    .remedy = {}});
+}
+
+void check_band(const Check& check, const std::string& key, const Case& study, Reading& reading) {
+  if (check.at_least <= check.limit) return;
+  reading.complain({.where = study.where(key + ".at_least"),
+                    .what = key + ".at_least is above its limit, so that nothing could pass",
+                    .given = fmt::format("{}", check.at_least),
+                    .allowed = fmt::format("from 0 to {}", check.limit),
+                    .remedy = {}});
+}
+
+} // namespace
+
+void check_consistency(const Case& study, Reading& reading) {
+  check_material(study, reading);
+  check_probes(study, reading);
+  check_references(study, reading);
+  for (std::size_t number = 0; number < study.checks.size(); ++number) {
+    const std::string key = fmt::format("check.{}", number);
+    check_between(study.checks[number], key, study, reading);
+    check_layers(study.checks[number], key, study, reading);
+    check_band(study.checks[number], key, study, reading);
+  }
+}
+
+} // namespace settle::exchange

@@ -1,0 +1,62 @@
+#include "settle/exchange/case_io.hpp"
+
+#include "case_consistency.hpp"
+#include "case_keys.hpp"
+
+namespace settle::exchange {
+namespace {
+
+/// Defaults that depend on other keys.
+void fill_dependent_defaults(Case& study) {
+  Geometry& geometry = study.geometry;
+  const bool solid = geometry.dimension == 3;
+  if (solid && !geometry.depth) geometry.depth = geometry.width;
+  if (!study.fem.increments) study.fem.increments = study.fem.kinematics == Kinematics::small ? 1 : 4;
+  for (auto& [name, line] : study.probes) {
+    if (!line.x) line.x = geometry.width / 2;
+    if (solid && !line.y) line.y = *geometry.depth / 2;
+  }
+}
+
+Case interpreted(const document::Table& table, const std::string& name) {
+  Reading reading;
+  Case study;
+  study.file = name;
+  case_keys().read(table, {.path = {}, .where = name}, study, reading);
+  reading.throw_if_any();
+  study.origins = reading.origins();
+  fill_dependent_defaults(study);
+  check_consistency(study, reading);
+  reading.throw_if_any();
+  return study;
+}
+
+} // namespace
+
+Case read_case(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
+  return interpreted(document::read(file, overrides), file.string());
+}
+
+Case parse_case(const std::string& text, const std::string& name, const std::vector<std::string>& overrides) {
+  return interpreted(document::parse(text, name, overrides), name);
+}
+
+std::string to_toml(const Case& study) {
+  return document::to_toml(case_keys().write(study));
+}
+
+std::string case_schema() {
+  document::Table schema{{"$schema", {}, {std::string("http://json-schema.org/draft-07/schema#"), {}}},
+                         {"title", {}, {std::string("Settle case file"), {}}}};
+  for (document::Entry& entry : case_keys().schema())
+    schema.push_back(std::move(entry));
+  return document::to_json({std::move(schema), {}});
+}
+
+std::string case_keys_markdown() {
+  std::vector<TableDoc> docs;
+  case_keys().describe("", "", docs);
+  return to_markdown(docs);
+}
+
+} // namespace settle::exchange

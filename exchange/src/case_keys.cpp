@@ -1,0 +1,182 @@
+#include "case_keys.hpp"
+
+namespace settle::exchange {
+namespace {
+
+KeyTable<Geometry> geometry_keys() {
+  KeyTable<Geometry> keys("The domain that is built up. Required.");
+  keys.choice("shape", &Geometry::shape, {.required = true, .doc = "what is built"});
+  keys.real("height", &Geometry::height,
+            {.unit = "m", .range = above(0), .required = true, .doc = "design height of all layers together"});
+  keys.real("width", &Geometry::width, {.unit = "m", .range = above(0), .required = true, .doc = "extent along x"});
+  keys.real("depth", &Geometry::depth,
+            {.unit = "m", .range = above(0), .left_out = "the width", .doc = "extent along y, in 3-D only"});
+  keys.integer(
+      "dimension", &Geometry::dimension,
+      {.range = from_to(2, 3), .required = true, .doc = "2: plane strain, gravity along -y; 3: gravity along -z"});
+  return keys;
+}
+
+KeyTable<Material> material_keys() {
+  KeyTable<Material> keys("An elastic material; NAME is yours. At least the one that the construction uses.");
+  keys.choice("law", &Material::law,
+              {.required = true, .doc = "stress-strain law; a solver of small strains uses its linearisation"});
+  keys.real("youngs_modulus", &Material::youngs_modulus,
+            {.unit = "Pa", .range = above(0), .required = true, .doc = "Young's modulus"});
+  keys.real("poissons_ratio", &Material::poissons_ratio,
+            {.range = between(-1, 0.5),
+             .required = true,
+             .hint =
+                 "at 0.5 nothing changes its volume: the constrained modulus becomes infinite and the column cannot "
+                 "settle; 0.49 is nearly incompressible",
+             .doc = "Poisson's ratio"});
+  keys.real("density", &Material::density,
+            {.unit = "kg/m3", .range = above(0), .required = true, .doc = "density as placed"});
+  keys.real(
+      "porosity", &Material::porosity,
+      {.range = from_to_below(0, 1), .left_out = "not stated", .doc = "recorded; one-phase solvers do not use it"});
+  return keys;
+}
+
+KeyTable<Construction> construction_keys() {
+  KeyTable<Construction> keys("How the domain is built up. Required.");
+  keys.integer(
+      "layers", &Construction::layers,
+      {.range = at_least(1), .required = true, .doc = "number of layers of equal design thickness, one a stage"});
+  keys.choice("convention", &Construction::convention,
+              {.required = true, .doc = "where a new layer is placed and what makes up for settlement"});
+  keys.text("material", &Construction::material, {.required = true, .doc = "the NAME of a `[material.NAME]`"});
+  return keys;
+}
+
+KeyTable<QuasiStatic> quasi_static_keys() {
+  KeyTable<QuasiStatic> keys("The implicit scheme of the material point method.");
+  keys.integer("increments", &QuasiStatic::increments,
+               {.range = at_least(1), .doc = "steps in which a layer's gravity is applied, per stage"});
+  keys.real("residual", &QuasiStatic::residual,
+            {.range = between(0, 1), .doc = "relative out-of-balance force at which an increment is accepted"});
+  return keys;
+}
+
+KeyTable<ExplicitDynamic> explicit_keys() {
+  using Explicit = ExplicitDynamic;
+  KeyTable<Explicit> keys("The explicit scheme of the material point method: a ramp of gravity, then a hold.");
+  keys.real("damping", &Explicit::damping, {.range = from_to_below(0, 1), .doc = "local damping factor"});
+  keys.real("courant", &Explicit::courant, {.range = above_to(0, 1), .doc = "fraction of the stable time step"});
+  keys.real("ramp_time", &Explicit::ramp_time,
+            {.unit = "s", .range = above(0), .doc = "time over which a layer's gravity grows, per stage"});
+  keys.real_or_word("hold", &Explicit::hold, "equilibrium",
+                    {.unit = "s", .range = at_least(0), .doc = "how long full gravity is held; 0: an unheld ramp"});
+  keys.real("force_error", &Explicit::force_error,
+            {.range = between(0, 1), .doc = "equilibrium: largest sum of unbalanced over sum of external forces"});
+  keys.real("energy_error", &Explicit::energy_error,
+            {.range = between(0, 1), .doc = "equilibrium: largest kinetic energy over work of external forces"});
+  keys.real("max_hold_time", &Explicit::max_hold_time,
+            {.unit = "s", .range = above(0), .doc = "no equilibrium after this time of holding is an error"});
+  return keys;
+}
+
+KeyTable<Mpm> mpm_keys() {
+  KeyTable<Mpm> keys("What the material point method is told.");
+  keys.choice("element", &Mpm::element, {.doc = "cells of the background grid"});
+  keys.real(
+      "element_size", &Mpm::element_size,
+      {.unit = "m", .range = above(0), .doc = "edge of a grid cell; the layer thickness must be a multiple of it"});
+  keys.integer("points_per_element", &Mpm::points_per_element,
+               {.range = at_least(1), .doc = "material points placed in each cell"});
+  keys.choice("basis", &Mpm::basis, {.doc = "shape functions of the grid"});
+  keys.choice("integration", &Mpm::integration,
+              {.doc = "internal force from the cell's averaged stress over its full area, or from the points"});
+  keys.choice("refill", &Mpm::refill, {.doc = "material is added in rows of points, or in whole empty elements"});
+  keys.boolean("average_stress", &Mpm::average_stress,
+               {.doc = "replace point stresses by the cell's average after each move"});
+  keys.choice("scheme", &Mpm::scheme, {.doc = "implicit increments of gravity, or damped time steps"});
+  keys.table("quasi_static", &Mpm::quasi_static, quasi_static_keys());
+  keys.table("explicit", &Mpm::explicit_dynamic, explicit_keys());
+  return keys;
+}
+
+KeyTable<Fem> fem_keys() {
+  KeyTable<Fem> keys("What the finite element method is told.");
+  keys.choice("element", &Fem::element, {.doc = "degree of the shape functions"});
+  keys.real("element_size", &Fem::element_size,
+            {.unit = "m", .range = above(0), .doc = "edge of a cell; the layer thickness must be a multiple of it"});
+  keys.choice("kinematics", &Fem::kinematics, {.doc = "small strains on the design geometry, or finite strains"});
+  keys.integer("increments", &Fem::increments,
+               {.range = at_least(1),
+                .left_out = "1 (small), 4 (finite)",
+                .doc = "steps in which a layer's gravity is applied, per stage"});
+  return keys;
+}
+
+KeyTable<Probes> probes_keys() {
+  KeyTable<Probes> keys("A vertical line of material points that every solver samples; NAME is yours.");
+  keys.real("x", &Probes::x, {.unit = "m", .left_out = "the middle", .doc = "position of the line"});
+  keys.real("y", &Probes::y, {.unit = "m", .left_out = "the middle", .doc = "position of the line, in 3-D only"});
+  keys.integer("points_per_layer", &Probes::points_per_layer,
+               {.range = at_least(2), .doc = "points in each layer, both of its ends included"});
+  return keys;
+}
+
+KeyTable<Reference> reference_keys() {
+  KeyTable<Reference> keys("Another code's results at material points, as a table; NAME is yours.");
+  keys.text("file", &Reference::file, {.required = true, .doc = "CSV file, relative to the folder of the case file"});
+  keys.text("title", &Reference::title, {.doc = "what reports call it"});
+  return keys;
+}
+
+KeyTable<Check> check_keys_table() {
+  KeyTable<Check> keys("One comparison and the limit it is held to.");
+  keys.choice("quantity", &Check::quantity, {.required = true, .doc = "what is compared"});
+  keys.texts(
+      "between", &Check::between,
+      {.count = {.least = 2, .most = 2},
+       .required = true,
+       .doc =
+           "`\"mpm\"`, `\"fem\"`, `\"exact\"` or the NAME of a `[reference.NAME]`; the second one is the reference"});
+  keys.choice("norm", &Check::norm, {.doc = "root of the volume-weighted mean square, or the largest difference"});
+  keys.choice_or_left_out("over", &Check::over, Over::automatic,
+                          {.left_out = "points where `\"exact\"` takes part, else probes",
+                           .doc = "native points of the solver, or the case's probes"});
+  keys.choice("stage", &Check::stages, {.doc = "the last stage, or every one"});
+  keys.integers("layers", &Check::layers,
+                {.range = at_least(1),
+                 .count = {.least = 2, .most = 2},
+                 .left_out = "all layers",
+                 .doc = "first and last layer compared"});
+  keys.real("limit", &Check::limit,
+            {.range = at_least(0), .required = true, .doc = "upper end of what passes, over `scale`"});
+  keys.real("at_least", &Check::at_least,
+            {.range = at_least(0), .doc = "lower end of what passes, over `scale`: an expected difference"});
+  keys.real_or_word(
+      "scale", &Check::scale, "reference",
+      {.range = above(0), .doc = "the same norm of the reference, or a number in SI units of the quantity"});
+  keys.text("why", &Check::why, {.doc = "the reason for the limit, shown in reports"});
+  return keys;
+}
+
+} // namespace
+
+KeyTable<Case> case_keys() {
+  KeyTable<Case> keys("Keys at the top of the file.");
+  keys.integer("format", &Case::format,
+               {.range = exactly(1),
+                .required = true,
+                .hint = "this program reads case files of format 1",
+                .doc = "version of the case format"});
+  keys.text("title", &Case::title, {.doc = "what reports call the case"});
+  keys.text("source", &Case::source, {.doc = "where the case comes from"});
+  keys.real("gravity", &Case::gravity,
+            {.unit = "m/s2", .range = above(0), .required = true, .doc = "acceleration of gravity, a positive number"});
+  keys.table("geometry", &Case::geometry, geometry_keys(), {.required = true});
+  keys.named_tables("material", &Case::materials, material_keys(), {.required = true});
+  keys.table("construction", &Case::construction, construction_keys(), {.required = true});
+  keys.table("mpm", &Case::mpm, mpm_keys());
+  keys.table("fem", &Case::fem, fem_keys());
+  keys.named_tables("probes", &Case::probes, probes_keys());
+  keys.named_tables("reference", &Case::references, reference_keys());
+  keys.table_array("check", &Case::checks, check_keys_table());
+  return keys;
+}
+
+} // namespace settle::exchange
