@@ -19,6 +19,13 @@ struct ColumnState {
   double density = 0;         ///< current [kg/m3]
 };
 
+/// The column while the gravity of its newest layer is being raised.
+struct RampState {
+  double layer_weight = 0; ///< full weight per plan area of the newest layer's material [Pa]
+  double layer_height = 0; ///< current height of the newest layer [m]
+  double below_height = 0; ///< current height of everything below it [m]
+};
+
 /// The column at the end of any of its stages, in equilibrium under full gravity.
 /// Finite kinematics: W, lambda, Lambda and the four conventions; small kinematics: frozen geometry.
 class ExactColumn {
@@ -30,6 +37,8 @@ public:
   [[nodiscard]] ColumnState at(int layer, double xi, int stage) const;
   /// Relative height in its layer of a material point by the height at which it was placed.
   [[nodiscard]] double relative_height(int layer, double placed_height) const;
+  /// The column during a stage, gravity factor f in [0, 1] acting on its layer only.
+  [[nodiscard]] RampState during(int stage, double gravity_factor) const;
   /// Weight per plan area of everything present at the end of a stage [Pa].
   [[nodiscard]] double base_stress(int stage) const;
   /// Height of the surface at the end of a stage [m].

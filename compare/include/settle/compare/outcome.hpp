@@ -31,16 +31,16 @@ std::string_view name_of(SolverStatus status);
 
 /// One solver's part of a run.
 struct SolverRun {
-  std::string solver; ///< "mpm", "fem"
+  std::string solver{}; ///< "mpm", "fem"
   SolverStatus status = SolverStatus::no_result;
-  std::string command; ///< as one can type it
+  std::string command{}; ///< as one can type it
   int exit_code = 0;
-  std::string message;  ///< one sentence where the status is not "finished"
-  std::string tail;     ///< the last lines of the solver's output
-  double wall_time = 0; ///< of the process [s]
-  bool reused = false;  ///< an up-to-date result was already there
-  std::filesystem::path result_file;
-  std::optional<exchange::Result> result;
+  std::string message{}; ///< one sentence where the status is not "finished"
+  std::string tail{};    ///< the last lines of the solver's output
+  double wall_time = 0;  ///< of the process [s]
+  bool reused = false;   ///< an up-to-date result was already there
+  std::filesystem::path result_file{};
+  std::optional<exchange::Result> result{};
 };
 
 /// Where an MPM - FEM difference comes from: it is the sum of the three parts at every probe. Norms over probes,
@@ -61,21 +61,22 @@ struct ReferenceTable {
   std::vector<int> stage, layer, points;               ///< stage, layer, how many points the row averages
   std::vector<double> placed_height, settlement;       ///< [m]
   std::vector<double> vertical_stress, lateral_stress; ///< tension positive [Pa]
-  std::vector<double> density;                         ///< [kg/m3]
+  std::vector<double> density;                         ///< mass over volume of the row's points [kg/m3]
+  std::vector<double> volume;                          ///< of all the row's points [m3/m]
 
   [[nodiscard]] std::size_t size() const { return stage.size(); }
 };
 
 /// One expanded run: a case, its solvers, what was judged.
 struct RunOutcome {
-  std::string name;
-  std::string note;
-  exchange::Case study;
-  std::vector<std::string> overrides; ///< `key=value`
-  std::vector<SolverRun> solvers;
-  std::map<std::string, ReferenceTable> references;
-  std::vector<DifferenceSplit> splits;
-  std::vector<Verdict> verdicts;
+  std::string name{};
+  std::string note{};
+  exchange::Case study{};
+  std::vector<std::string> overrides{}; ///< `key=value`
+  std::vector<SolverRun> solvers{};
+  std::map<std::string, ReferenceTable> references{};
+  std::vector<DifferenceSplit> splits{};
+  std::vector<Verdict> verdicts{};
 
   /// The result of a solver, or nullptr.
   [[nodiscard]] const exchange::Result* result_of(const std::string& solver) const;
@@ -84,11 +85,11 @@ struct RunOutcome {
 /// A whole campaign.
 struct CampaignOutcome {
   Campaign campaign;
-  std::string command; ///< that runs it again
-  std::string created; ///< UTC, ISO 8601
-  std::string program_version, commit;
+  std::string command{}; ///< that runs it again
+  std::string created{}; ///< UTC, ISO 8601
+  std::string program_version{}, commit{};
   double wall_time = 0; ///< [s]
-  std::vector<RunOutcome> runs;
+  std::vector<RunOutcome> runs{};
 
   [[nodiscard]] const RunOutcome* find(const std::string& run) const;
 };

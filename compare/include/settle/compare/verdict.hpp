@@ -22,16 +22,16 @@ std::string_view name_of(Status status);
 /// One judged comparison or audit.
 struct Verdict {
   Status status = Status::missing;
-  std::string run;  ///< the run's name in its campaign
-  std::string what; ///< "settlement, mpm - exact, l2 over points, last stage"
-  std::string kind; ///< "check" (the case's own), "audit" (conservation), "physics" (solver used what the case says),
-                    ///< "solver" (did it finish)
+  std::string run{};  ///< the run's name in its campaign
+  std::string what{}; ///< "settlement, mpm - exact, l2 over points, last stage"
+  std::string kind{}; ///< "check" (the case's own), "audit" (conservation), "physics" (solver used what the case says),
+                      ///< "solver" (did it finish)
   double value = std::numeric_limits<double>::quiet_NaN(); ///< measured, relative to `scale`
   double at_least = 0;                                     ///< lower end of the accepted band
   double limit = 0;                                        ///< upper end of the accepted band
-  std::string scale;   ///< what the value is relative to, with its unit, e.g. "l2 norm of the reference: 0.18 m"
-  std::string why;     ///< the reason for the limit
-  std::string message; ///< what happened, in a sentence, where the status is not "passed"
+  std::string scale{};   ///< what the value is relative to, with its unit, e.g. "l2 norm of the reference: 0.18 m"
+  std::string why{};     ///< the reason for the limit
+  std::string message{}; ///< what happened, in a sentence, where the status is not "passed"
 
   explicit operator bool() const = delete;
 };

@@ -1,0 +1,33 @@
+/// \file
+/// From the entries of a campaign to single runs.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "settle/compare/campaign.hpp"
+#include "settle/exchange/case.hpp"
+
+namespace settle::compare {
+
+/// One case with its overrides, ready to be given to solvers.
+struct ExpandedRun {
+  std::string name;
+  std::string note;
+  std::filesystem::path case_file;
+  std::vector<std::string> overrides; ///< `key=value`
+  std::vector<std::string> solvers;
+  double time_limit = 600.0; ///< [s]
+  exchange::Case study;      ///< read with the overrides
+};
+
+/// Every run of a campaign, in the file's order, the last key of a matrix varying fastest. Throws InputError for a case
+/// that cannot be read, for runs that would have one name or folder, for a placeholder that is no key of the matrix,
+/// and for figures or published numbers that name a run or a source there is not.
+std::vector<ExpandedRun> expand(const Campaign& campaign);
+
+/// A run's name as a file name: everything but letters, digits, ".", "_", "-" becomes "_".
+std::string folder_name(const std::string& run);
+
+} // namespace settle::compare

@@ -1,0 +1,38 @@
+/// \file
+/// Verdicts of a run: its case's checks, the audits, what the solvers used, how they ended.
+#pragma once
+
+#include <vector>
+
+#include "settle/compare/outcome.hpp"
+
+namespace settle::compare {
+
+/// Every verdict of a run, in the order solver, physics, audit, check. Each check of the case gets exactly one;
+/// what is missing is "missing".
+std::vector<Verdict> judge(const RunOutcome& run);
+
+/// Reads the run's reference tables, fills `splits` and `verdicts`. A table that cannot be read is an "error" verdict.
+void judge_into(RunOutcome& run);
+
+/// One verdict for a check of the case.
+Verdict judge_check(const RunOutcome& run, const exchange::Check& check);
+
+/// Conservation, for every solver with a result, over all its stages, the worst stage named: every layer has its stage,
+/// mass before + placed + refilled = mass, points' mass = mass, weight = gravity x mass, base reaction = weight.
+/// A stage that the case leaves unheld (`hold = 0`) is not in equilibrium: its base reaction is not judged.
+std::vector<Verdict> judge_balance(const RunOutcome& run);
+
+/// Did each solver use what the case says: elastic constants, density, gravity, law, convention, kinematics, dimension.
+std::vector<Verdict> judge_physics(const RunOutcome& run);
+
+/// How each solver's process ended.
+std::vector<Verdict> judge_solvers(const RunOutcome& run);
+
+/// "passed" if at_least <= value <= limit, "failed" otherwise, "missing" for NaN; the message says which end is missed.
+void hold_to_limits(Verdict& verdict);
+
+/// Is the run left unheld by the case, so that its stages end out of equilibrium on purpose?
+bool is_unheld(const exchange::Case& study, const std::string& solver);
+
+} // namespace settle::compare

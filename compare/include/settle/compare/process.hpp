@@ -1,0 +1,40 @@
+/// \file
+/// Running another program: its output to a file, a limit on its time, and an end that is always accounted for.
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace settle::compare {
+
+/// What is started.
+struct ProcessRequest {
+  std::filesystem::path program{};
+  std::vector<std::string> arguments{};
+  std::filesystem::path log{}; ///< standard output and standard error, together
+  double time_limit = 0;       ///< wall time [s]
+};
+
+enum class ProcessEnd { exited, signalled, timed_out, stopped, not_started };
+
+struct ProcessOutcome {
+  ProcessEnd end = ProcessEnd::not_started;
+  int code = 0;          ///< exit code, or the number of the signal
+  double wall_time = 0;  ///< [s]
+  std::string problem{}; ///< why it could not be started
+};
+
+/// Runs a program in a process group of its own and waits for its end. At the time limit, or when `stop` becomes true,
+/// the whole group is killed. Never throws for what the program does, or for a program that cannot be started.
+ProcessOutcome run_process(const ProcessRequest& request, const std::atomic<bool>& stop);
+
+/// A file in the folders of PATH; empty where there is none.
+std::filesystem::path find_in_path(const std::string& program);
+
+/// The last lines of a text file, without trailing blank lines; empty where it cannot be read.
+std::string tail_of(const std::filesystem::path& file, std::size_t lines);
+
+} // namespace settle::compare

@@ -1,0 +1,25 @@
+/// \file
+/// Where the files of a campaign lie: DIR/runs/RUN/{case.toml, SOLVER.h5, SOLVER.log, SOLVER.key, REFERENCE.csv}.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "settle/compare/expand.hpp"
+
+namespace settle::compare {
+
+/// The folder of a run.
+std::filesystem::path run_folder(const std::filesystem::path& campaign_folder, const std::string& run);
+
+/// The result of a solver.
+std::filesystem::path result_in(const std::filesystem::path& run_folder, const std::string& solver);
+
+/// Creates the folder of a run with its case, defaults filled in, and copies of the reference tables, so that it can be
+/// judged again wherever it is. Throws FileError where it cannot be written.
+void prepare_run_folder(const std::filesystem::path& folder, const ExpandedRun& run);
+
+/// The case of a run's folder. Throws FileError where it is missing.
+exchange::Case stored_case(const std::filesystem::path& folder);
+
+} // namespace settle::compare

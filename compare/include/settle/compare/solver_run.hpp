@@ -1,0 +1,43 @@
+/// \file
+/// One solver on one case: started as a process, its end and its result turned into a SolverRun.
+#pragma once
+
+#include <atomic>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "settle/compare/outcome.hpp"
+
+namespace settle::compare {
+
+/// What is to be run and where its result goes. The log lies beside the result.
+struct SolverJob {
+  std::string solver{};
+  std::filesystem::path case_file{};
+  std::vector<std::string> overrides{}; ///< `key=value`
+  std::filesystem::path result_file{};
+  std::string case_text{};   ///< the case with defaults filled in: what an up-to-date result must have been made from
+  double time_limit = 600.0; ///< wall time [s]
+  bool fresh = false;        ///< run even where an up-to-date result is there
+};
+
+/// Where the output of a job's solver is kept.
+std::filesystem::path log_of(const std::filesystem::path& result_file);
+
+/// The command as one can type it.
+std::string command_of(const SolverJob& job);
+
+/// Runs the solver, or takes the up-to-date result that is already there. Never throws for what a solver does: a crash,
+/// a time limit, a missing or unreadable result are statuses.
+SolverRun run_solver(const SolverJob& job, const std::atomic<bool>& stop);
+
+/// Asks the solver whether it could run the case (`--check`), without running it. The solver's complaint where it says
+/// no (exit code 2); nothing where it says yes, is not installed, or does not answer: running it will show that.
+std::optional<std::string> complaint_of(const SolverJob& job, const std::atomic<bool>& stop);
+
+/// Takes a result that is there, without running anything: finished, no result, or bad result.
+SolverRun stored_result(const std::string& solver, const std::filesystem::path& result_file);
+
+} // namespace settle::compare

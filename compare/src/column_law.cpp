@@ -1,0 +1,156 @@
+#include "settle/compare/column_law.hpp"
+
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include <boost/math/quadrature/gauss_kronrod.hpp>
+#include <boost/math/special_functions/lambert_w.hpp>
+#include <boost/math/tools/roots.hpp>
+#include <fmt/format.h>
+
+#include "settle/exchange/errors.hpp"
+
+namespace settle::compare {
+namespace {
+
+using exchange::Law;
+
+constexpr int root_bits = 50;
+constexpr std::uintmax_t root_iterations = 200;
+
+/// Root of a monotonic function that changes sign in [low, high], to nearly the last bit.
+template <class Function>
+double bracketed_root(const Function& function, double low, double high) {
+  std::uintmax_t iterations = root_iterations;
+  const auto bounds = boost::math::tools::toms748_solve(
+      function, low, high, boost::math::tools::eps_tolerance<double>(root_bits), iterations);
+  return 0.5 * (bounds.first + bounds.second);
+}
+
+[[noreturn]] void throw_no_equilibrium(Law law, double integral, double modulus) {
+  throw exchange::InputError({.where = "exact column",
+                              .what = "no equilibrium exists: the fill cannot be kept at its design height",
+                              .given = fmt::format("unit weight times height {:.6g} Pa, constrained modulus {:.6g} Pa, "
+                                                   "law \"{}\"",
+                                                   integral, modulus, exchange::name_of(law)),
+                              .allowed = "unit weight times height below the constrained modulus",
+                              .remedy = "take a stiffer or lighter material, or a lower column"});
+}
+
+} // namespace
+
+ColumnLaw::ColumnLaw(const exchange::Material& material) : law_(material.law) {
+  const double nu = material.poissons_ratio;
+  lame_mu_ = material.youngs_modulus / (2.0 * (1.0 + nu));
+  lame_lambda_ = material.youngs_modulus * nu / ((1.0 + nu) * (1.0 - 2.0 * nu));
+  modulus_ = lame_lambda_ + 2.0 * lame_mu_;
+}
+
+double ColumnLaw::stretch(double overburden) const {
+  switch (law_) {
+  case Law::rate:
+    return std::exp(-overburden / modulus_);
+  case Law::hencky: // W0(x) / x = exp(-W0(x)), also at x = 0
+    return std::exp(-boost::math::lambert_w0(overburden / modulus_));
+  case Law::neo_hookean:
+    return solve_stretch(overburden);
+  }
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+double ColumnLaw::integral(double overburden) const {
+  switch (law_) {
+  case Law::rate:
+    return -modulus_ * std::expm1(-overburden / modulus_);
+  case Law::hencky: {
+    const double w = boost::math::lambert_w0(overburden / modulus_);
+    return modulus_ * (w + 0.5 * w * w);
+  }
+  case Law::neo_hookean: {
+    const auto integrand = [this](double stretch) { return stretch * vertical_tangent(stretch); };
+    using Rule = boost::math::quadrature::gauss_kronrod<double, 31>;
+    return Rule::integrate(integrand, solve_stretch(overburden), 1.0, 10, 1e-14);
+  }
+  }
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+double ColumnLaw::inverse_integral(double integral) const {
+  switch (law_) {
+  case Law::rate:
+    if (integral >= modulus_) throw_no_equilibrium(law_, integral, modulus_);
+    return -modulus_ * std::log1p(-integral / modulus_);
+  case Law::hencky: {
+    const double w = std::sqrt(1.0 + 2.0 * integral / modulus_) - 1.0;
+    return modulus_ * w * std::exp(w);
+  }
+  case Law::neo_hookean:
+    return solve_inverse(integral);
+  }
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+double ColumnLaw::lateral_stress(double overburden) const {
+  switch (law_) {
+  case Law::rate:
+  case Law::hencky:
+    return -overburden * lame_lambda_ / modulus_;
+  case Law::neo_hookean: {
+    const double stretch = solve_stretch(overburden);
+    return lame_lambda_ * std::log(stretch) / stretch;
+  }
+  }
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+double ColumnLaw::vertical_stress(double stretch) const {
+  switch (law_) {
+  case Law::rate:
+    return modulus_ * std::log(stretch);
+  case Law::hencky:
+    return modulus_ * std::log(stretch) / stretch;
+  case Law::neo_hookean:
+    return (lame_lambda_ * std::log(stretch) + lame_mu_ * (stretch * stretch - 1.0)) / stretch;
+  }
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+double ColumnLaw::vertical_tangent(double stretch) const {
+  switch (law_) {
+  case Law::rate:
+    return modulus_ / stretch;
+  case Law::hencky:
+    return modulus_ * (1.0 - std::log(stretch)) / (stretch * stretch);
+  case Law::neo_hookean:
+    return lame_lambda_ * (1.0 - std::log(stretch)) / (stretch * stretch) +
+           lame_mu_ * (1.0 + 1.0 / (stretch * stretch));
+  }
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+double ColumnLaw::solve_stretch(double overburden) const {
+  if (overburden == 0.0) return 1.0;
+  const auto imbalance = [this, overburden](double stretch) { return vertical_stress(stretch) + overburden; };
+  double low = 1.0;
+  double high = 1.0;
+  while (imbalance(low) > 0.0)
+    low *= 0.5;
+  while (imbalance(high) < 0.0)
+    high *= 2.0;
+  return bracketed_root(imbalance, low, high);
+}
+
+double ColumnLaw::solve_inverse(double integral) const {
+  if (integral <= 0.0) return integral;
+  const auto excess = [this, integral](double overburden) { return this->integral(overburden) - integral; };
+  double high = 2.0 * integral; // stretch <= 1 under compression, so W >= Lambda(W)
+  constexpr int doublings = 200;
+  for (int i = 0; excess(high) < 0.0; ++i) {
+    if (i == doublings) throw_no_equilibrium(law_, integral, modulus_);
+    high *= 2.0;
+  }
+  return bracketed_root(excess, integral, high);
+}
+
+} // namespace settle::compare

@@ -1,0 +1,160 @@
+#include "settle/compare/expand.hpp"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "settle/exchange/case_io.hpp"
+#include "settle/exchange/errors.hpp"
+#include "settle/exchange/spelling.hpp"
+
+namespace settle::compare {
+
+using exchange::InputError;
+
+namespace {
+
+using Settings = std::vector<std::pair<std::string, std::string>>; ///< dotted key, TOML value
+
+/// All combinations of a matrix; one empty combination where there is none.
+std::vector<Settings> combinations(const std::map<std::string, std::vector<std::string>>& matrix) {
+  std::vector<Settings> all{{}};
+  for (const auto& [key, values] : matrix) {
+    std::vector<Settings> longer;
+    for (const Settings& settings : all) {
+      for (const std::string& value : values) {
+        longer.push_back(settings);
+        longer.back().emplace_back(key, value);
+      }
+    }
+    all = std::move(longer);
+  }
+  return all;
+}
+
+std::string without_quotes(const std::string& value) {
+  const bool quoted =
+      value.size() >= 2 && value.front() == value.back() && (value.front() == '"' || value.front() == '\'');
+  return quoted ? value.substr(1, value.size() - 2) : value;
+}
+
+std::string name_with(const std::string& pattern, const Settings& settings, const std::string& file) {
+  std::string name = pattern;
+  for (const auto& [key, value] : settings) {
+    const std::string placeholder = "{" + key + "}";
+    for (std::size_t at = name.find(placeholder); at != std::string::npos; at = name.find(placeholder, at)) {
+      name.replace(at, placeholder.size(), without_quotes(value));
+    }
+  }
+  if (name.find_first_of("{}") != std::string::npos) {
+    std::vector<std::string> keys;
+    for (const auto& [key, value] : settings)
+      keys.push_back("{" + key + "}");
+    throw InputError({.where = file,
+                      .what = "the name of a run has a placeholder that is no key of its matrix",
+                      .given = pattern,
+                      .allowed = fmt::format("{}", fmt::join(keys, ", ")),
+                      .remedy = {}});
+  }
+  return name;
+}
+
+ExpandedRun make_run(const Campaign& campaign, const RunEntry& entry, const Settings& settings) {
+  ExpandedRun run;
+  run.name = name_with(entry.name, settings, campaign.file.string());
+  run.note = entry.note;
+  run.case_file = campaign.file.parent_path() / entry.case_file;
+  run.solvers = entry.solvers;
+  run.time_limit = entry.time_limit;
+  for (const auto& [key, value] : entry.set)
+    run.overrides.push_back(key + "=" + value);
+  for (const auto& [key, value] : settings)
+    run.overrides.push_back(key + "=" + value);
+  run.study = exchange::read_case(run.case_file, run.overrides);
+  return run;
+}
+
+void require_unique(const std::vector<ExpandedRun>& runs, const std::string& file) {
+  std::map<std::string, std::string> known; // folder -> name
+  for (const ExpandedRun& run : runs) {
+    const auto [other, is_new] = known.try_emplace(folder_name(run.name), run.name);
+    if (is_new) continue;
+    throw InputError({.where = file,
+                      .what = "two runs would have one name and one folder",
+                      .given = fmt::format("{} and {}", other->second, run.name),
+                      .allowed = "names that are unique after the matrix is expanded",
+                      .remedy = "put every key of the matrix into the name, such as \"column {construction.layers}\""});
+  }
+}
+
+const ExpandedRun& require_run(const std::vector<ExpandedRun>& runs, const std::string& name, const std::string& user,
+                               const std::string& file) {
+  const auto found = std::find_if(runs.begin(), runs.end(), [&](const ExpandedRun& run) { return run.name == name; });
+  if (found != runs.end()) return *found;
+  std::vector<std::string> names;
+  for (const ExpandedRun& run : runs)
+    names.push_back(run.name);
+  const auto nearest = exchange::nearest_spelling(name, names);
+  throw InputError({.where = file,
+                    .what = user + " names a run that is not there",
+                    .given = name,
+                    .allowed = fmt::format("{}", fmt::join(names, ", ")),
+                    .remedy = nearest ? fmt::format("did you mean {}?", *nearest) : std::string()});
+}
+
+void require_source(const ExpandedRun& run, const std::string& source, const std::string& user,
+                    const std::string& file) {
+  std::vector<std::string> sources{"exact", "exact-fem", "eq-1"};
+  sources.insert(sources.end(), run.solvers.begin(), run.solvers.end());
+  for (const auto& [name, reference] : run.study.references)
+    sources.push_back(name);
+  if (std::find(sources.begin(), sources.end(), source) != sources.end()) return;
+  throw InputError({.where = file,
+                    .what = fmt::format("{} takes from the run \"{}\" what it does not have", user, run.name),
+                    .given = source,
+                    .allowed = fmt::format("{}", fmt::join(sources, ", ")),
+                    .remedy = {}});
+}
+
+void require_figures_fit(const Campaign& campaign, const std::vector<ExpandedRun>& runs) {
+  const std::string file = campaign.file.string();
+  for (const Figure& figure : campaign.figures) {
+    const std::string user = fmt::format("the figure \"{}\"", figure.name);
+    for (const Curve& curve : figure.curves) {
+      require_source(require_run(runs, curve.run, user, file), curve.source, user, file);
+      if (!curve.density_of.empty()) require_run(runs, curve.density_of, user, file);
+    }
+  }
+  for (const Published& number : campaign.published) {
+    const std::string user = fmt::format("the published number \"{}\"", number.label);
+    require_source(require_run(runs, number.run, user, file), number.source, user, file);
+  }
+}
+
+} // namespace
+
+std::string folder_name(const std::string& run) {
+  std::string name = run;
+  for (char& letter : name) {
+    const auto code = static_cast<unsigned char>(letter);
+    const bool harmless = code < 128 && (std::isalnum(code) != 0 || letter == '.' || letter == '_' || letter == '-');
+    if (!harmless) letter = '_';
+  }
+  return name.empty() || name.front() == '.' ? "_" + name : name;
+}
+
+std::vector<ExpandedRun> expand(const Campaign& campaign) {
+  std::vector<ExpandedRun> runs;
+  for (const RunEntry& entry : campaign.runs) {
+    for (const Settings& settings : combinations(entry.matrix))
+      runs.push_back(make_run(campaign, entry, settings));
+  }
+  require_unique(runs, campaign.file.string());
+  require_figures_fit(campaign, runs);
+  return runs;
+}
+
+} // namespace settle::compare

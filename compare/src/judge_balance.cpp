@@ -1,0 +1,159 @@
+#include <cmath>
+#include <functional>
+#include <numeric>
+
+#include <fmt/format.h>
+
+#include "settle/compare/judge.hpp"
+
+namespace settle::compare {
+
+using exchange::Result;
+using exchange::Scheme;
+using exchange::Stage;
+
+namespace {
+
+/// An audit: how far a stage is from balance, relative; the stage before it is null for the first.
+struct Audit {
+  std::string what{};
+  double limit = 0;
+  std::string scale{};
+  std::string why{};
+  std::function<double(const Stage& stage, const Stage* before)> residual{};
+};
+
+double relative(double value, double reference) {
+  return std::abs(value - reference) / std::abs(reference);
+}
+
+double point_mass(const Stage& stage) {
+  return std::inner_product(stage.points.density.begin(), stage.points.density.end(), stage.points.volume.begin(), 0.0);
+}
+
+std::vector<Audit> mass_audits(double gravity) {
+  constexpr double round_off = 1e-12;
+  constexpr double summed = 1e-9;
+  return {
+      {"mass before + placed + refilled = mass", round_off, "mass", "mass is conserved: round-off of the sum",
+       [](const Stage& stage, const Stage* before) {
+         return relative((before != nullptr ? before->mass : 0.0) + stage.mass_placed + stage.mass_refilled,
+                         stage.mass);
+       }},
+      {"mass of all points = mass", summed, "mass", "round-off of density x volume over many steps",
+       [](const Stage& stage, const Stage*) { return relative(point_mass(stage), stage.mass); }},
+      {"weight = gravity x mass", round_off, "weight", "the same quantity: round-off",
+       [gravity](const Stage& stage, const Stage*) { return relative(gravity * stage.mass, stage.weight); }},
+  };
+}
+
+bool is_explicit(const exchange::Case& study, const std::string& solver) {
+  return solver == "mpm" && study.mpm.scheme == Scheme::explicit_dynamic;
+}
+
+Audit reaction_audit(const exchange::Case& study, const std::string& solver) {
+  Audit audit{.what = "base reaction = weight", .scale = "weight"};
+  audit.residual = [](const Stage& stage, const Stage*) { return relative(stage.base_reaction, stage.weight); };
+  if (is_explicit(study, solver)) {
+    audit.limit = 2e-3;
+    audit.why = "a damped explicit scheme stops at a force error of 1e-3, not at zero";
+  } else if (solver == "mpm") {
+    audit.limit = 1e-6;
+    audit.why = "quasi-static increments end at a relative residual of about 1e-9";
+  } else {
+    audit.limit = 1e-9;
+    audit.why = "a linear solve: round-off times the condition of the system";
+  }
+  return audit;
+}
+
+/// Worst stage of an audit. One NaN makes it missing.
+Verdict judge_audit(const RunOutcome& run, const std::string& solver, const Result& result, const Audit& audit) {
+  Verdict verdict{.run = run.name,
+                  .what = fmt::format("{}: {}", solver, audit.what),
+                  .kind = "audit",
+                  .limit = audit.limit,
+                  .scale = audit.scale,
+                  .why = audit.why};
+  const Stage* before = nullptr;
+  for (const Stage& stage : result.stages) {
+    const double residual = audit.residual(stage, before);
+    before = &stage;
+    if (residual <= verdict.value) continue;
+    verdict.value = residual;
+    verdict.scale = fmt::format("{} of stage {}", audit.scale, stage.layer);
+    if (std::isnan(residual)) break;
+  }
+  hold_to_limits(verdict);
+  return verdict;
+}
+
+Verdict judge_stages(const RunOutcome& run, const std::string& solver, const Result& result) {
+  const auto layers = static_cast<std::size_t>(run.study.construction.layers);
+  Verdict verdict{.status = Status::passed,
+                  .run = run.name,
+                  .what = fmt::format("{}: every layer has its stage", solver),
+                  .kind = "audit",
+                  .value = static_cast<double>(result.stages.size()),
+                  .at_least = static_cast<double>(layers),
+                  .limit = static_cast<double>(layers)};
+  for (std::size_t i = 0; i < result.stages.size(); ++i) {
+    if (result.stages[i].layer == static_cast<int>(i) + 1) continue;
+    verdict.status = Status::failed;
+    verdict.message = fmt::format("stage {} placed layer {}", i + 1, result.stages[i].layer);
+  }
+  if (result.stages.size() != layers) {
+    verdict.status = result.stages.size() < layers ? Status::missing : Status::failed;
+    verdict.message = fmt::format("{} stages for {} layers", result.stages.size(), layers);
+  }
+  return verdict;
+}
+
+Verdict judge_equilibrium(const RunOutcome& run, const std::string& solver, const Result& result) {
+  Verdict verdict{.status = Status::passed,
+                  .run = run.name,
+                  .what = fmt::format("{}: every stage ends in equilibrium", solver),
+                  .kind = "audit",
+                  .value = 0,
+                  .scale = "stages out of equilibrium",
+                  .why = "the case asks for equilibrium"};
+  for (const Stage& stage : result.stages) {
+    if (stage.in_equilibrium) continue;
+    verdict.status = Status::failed;
+    verdict.value += 1.0;
+    verdict.message = fmt::format("stage {} ends out of balance by {:.3g}", stage.layer, stage.out_of_balance);
+  }
+  return verdict;
+}
+
+/// A stage held for a given time is judged by its base reaction; whether it met the equilibrium criteria is its result.
+bool asks_for_equilibrium(const exchange::Case& study, const std::string& solver) {
+  return !is_explicit(study, solver) || !study.mpm.explicit_dynamic.hold.has_value();
+}
+
+} // namespace
+
+bool is_unheld(const exchange::Case& study, const std::string& solver) {
+  return is_explicit(study, solver) && study.mpm.explicit_dynamic.hold == 0.0;
+}
+
+std::vector<Verdict> judge_balance(const RunOutcome& run) {
+  std::vector<Verdict> verdicts;
+  for (const SolverRun& solver : run.solvers) {
+    if (!solver.result) continue;
+    const Result& result = *solver.result;
+    verdicts.push_back(judge_stages(run, solver.solver, result));
+    for (const Audit& audit : mass_audits(run.study.gravity)) {
+      verdicts.push_back(judge_audit(run, solver.solver, result, audit));
+    }
+    if (asks_for_equilibrium(run.study, solver.solver)) {
+      verdicts.push_back(judge_equilibrium(run, solver.solver, result));
+    }
+    if (!is_unheld(run.study, solver.solver)) {
+      verdicts.push_back(judge_audit(run, solver.solver, result, reaction_audit(run.study, solver.solver)));
+    }
+  }
+  return verdicts;
+}
+
+} // namespace settle::compare

@@ -1,0 +1,42 @@
+#include "settle/compare/outcome.hpp"
+
+#include <algorithm>
+
+namespace settle::compare {
+
+std::string_view name_of(SolverStatus status) {
+  switch (status) {
+  case SolverStatus::finished:
+    return "finished";
+  case SolverStatus::bad_input:
+    return "bad input";
+  case SolverStatus::not_converged:
+    return "not converged";
+  case SolverStatus::file_failed:
+    return "cannot write its result";
+  case SolverStatus::crashed:
+    return "crashed";
+  case SolverStatus::timed_out:
+    return "timed out";
+  case SolverStatus::no_result:
+    return "no result";
+  case SolverStatus::bad_result:
+    return "unreadable result";
+  case SolverStatus::not_found:
+    return "not found";
+  }
+  return "unknown";
+}
+
+const exchange::Result* RunOutcome::result_of(const std::string& solver) const {
+  const auto found =
+      std::find_if(solvers.begin(), solvers.end(), [&](const SolverRun& run) { return run.solver == solver; });
+  return found != solvers.end() && found->result ? &*found->result : nullptr;
+}
+
+const RunOutcome* CampaignOutcome::find(const std::string& run) const {
+  const auto found = std::find_if(runs.begin(), runs.end(), [&](const RunOutcome& each) { return each.name == run; });
+  return found != runs.end() ? &*found : nullptr;
+}
+
+} // namespace settle::compare

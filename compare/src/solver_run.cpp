@@ -1,0 +1,201 @@
+#include "settle/compare/solver_run.hpp"
+
+#include <cstdlib>
+#include <cstring>
+
+#include <unistd.h>
+
+#include <fmt/format.h>
+
+#include "settle/compare/process.hpp"
+#include "settle/compare/result_cache.hpp"
+#include "settle/compare/solver_programs.hpp"
+#include "settle/exchange/errors.hpp"
+#include "settle/exchange/result_io.hpp"
+
+namespace settle::compare {
+
+using exchange::ExitCode;
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::size_t tail_lines = 15;
+
+std::vector<std::string> case_arguments(const SolverJob& job) {
+  std::vector<std::string> arguments{job.case_file.string()};
+  for (const std::string& override_text : job.overrides) {
+    arguments.emplace_back("--set");
+    arguments.push_back(override_text);
+  }
+  return arguments;
+}
+
+/// Quoted for a POSIX shell where it is not made of harmless characters.
+std::string quoted(const std::string& word) {
+  const char* harmless = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./=+:,@%";
+  if (!word.empty() && word.find_first_not_of(harmless) == std::string::npos) return word;
+  std::string text = "'";
+  for (const char letter : word)
+    text += letter == '\'' ? std::string("'\\''") : std::string(1, letter);
+  return text + "'";
+}
+
+SolverStatus status_of_exit(int code) {
+  switch (code) {
+  case static_cast<int>(ExitCode::success):
+    return SolverStatus::finished;
+  case static_cast<int>(ExitCode::bad_input):
+    return SolverStatus::bad_input;
+  case static_cast<int>(ExitCode::solver_failed):
+    return SolverStatus::not_converged;
+  case static_cast<int>(ExitCode::file_failed):
+    return SolverStatus::file_failed;
+  default:
+    return SolverStatus::crashed;
+  }
+}
+
+void fill_end(const ProcessOutcome& outcome, double time_limit, SolverRun& run) {
+  switch (outcome.end) {
+  case ProcessEnd::exited:
+    run.status = status_of_exit(outcome.code);
+    run.exit_code = outcome.code;
+    run.message = fmt::format("exit code {}", outcome.code);
+    return;
+  case ProcessEnd::signalled:
+    run.status = SolverStatus::crashed;
+    run.exit_code = 128 + outcome.code; // as a shell reports it
+    run.message = fmt::format("killed by signal {} ({})", outcome.code, strsignal(outcome.code));
+    return;
+  case ProcessEnd::timed_out:
+    run.status = SolverStatus::timed_out;
+    run.message = fmt::format("stopped after its time limit of {} s", time_limit);
+    return;
+  case ProcessEnd::stopped:
+    run.status = SolverStatus::timed_out;
+    run.message = "interrupted";
+    return;
+  case ProcessEnd::not_started:
+    run.status = SolverStatus::not_found;
+    run.message = "cannot be started: " + outcome.problem;
+    return;
+  }
+}
+
+/// Reads the result of a solver that says it has finished.
+void read_into(SolverRun& run) {
+  std::error_code failure;
+  if (!fs::exists(run.result_file, failure)) {
+    run.status = SolverStatus::no_result;
+    run.message = fmt::format("there is no result {}", run.result_file.string());
+    return;
+  }
+  try {
+    run.result = exchange::read_result(run.result_file);
+    run.status = SolverStatus::finished;
+    run.message.clear();
+  } catch (const exchange::Error& error) {
+    run.status = SolverStatus::bad_result;
+    run.message = error.what();
+  }
+}
+
+SolverRun not_found(SolverRun run) {
+  run.status = SolverStatus::not_found;
+  run.message = fmt::format("{} is neither beside settle nor in PATH; {} can name another program",
+                            program_name(run.solver), program_variable(run.solver));
+  return run;
+}
+
+void run_process_of(const SolverJob& job, const fs::path& program, const std::atomic<bool>& stop, SolverRun& run) {
+  std::vector<std::string> arguments = case_arguments(job);
+  arguments.insert(arguments.end(), {"--out", job.result_file.string(), "--quiet"});
+  const fs::path log = log_of(job.result_file);
+  const ProcessOutcome outcome =
+      run_process({.program = program, .arguments = arguments, .log = log, .time_limit = job.time_limit}, stop);
+  run.wall_time = outcome.wall_time;
+  fill_end(outcome, job.time_limit, run);
+  if (run.status == SolverStatus::finished) read_into(run);
+  if (run.status != SolverStatus::finished) run.tail = tail_of(log, tail_lines);
+}
+
+/// A file with a name of its own that is gone afterwards.
+class ScratchFile {
+public:
+  ScratchFile() : path_((fs::temp_directory_path() / "settle-check-XXXXXX").string()) {
+    const int descriptor = mkstemp(path_.data());
+    if (descriptor >= 0) ::close(descriptor);
+  }
+  ScratchFile(const ScratchFile&) = delete;
+  ScratchFile& operator=(const ScratchFile&) = delete;
+  ~ScratchFile() {
+    std::error_code ignored; // nothing is lost with a temporary file that stays
+    fs::remove(path_, ignored);
+  }
+  [[nodiscard]] fs::path path() const { return path_; }
+
+private:
+  std::string path_;
+};
+
+} // namespace
+
+fs::path log_of(const fs::path& result_file) {
+  return fs::path(result_file).replace_extension(".log");
+}
+
+std::string command_of(const SolverJob& job) {
+  std::string text = program_name(job.solver);
+  for (const std::string& argument : case_arguments(job))
+    text += " " + quoted(argument);
+  return text + " --out " + quoted(job.result_file.string());
+}
+
+SolverRun run_solver(const SolverJob& job, const std::atomic<bool>& stop) {
+  SolverRun run{.solver = job.solver, .command = command_of(job), .result_file = job.result_file};
+  const fs::path program = find_solver(job.solver);
+  if (program.empty()) {
+    discard_result(job.result_file);
+    return not_found(std::move(run));
+  }
+  try {
+    const std::string key = result_key(job.case_text, program);
+    if (!job.fresh && is_up_to_date(job.result_file, key)) {
+      read_into(run);
+      run.reused = run.status == SolverStatus::finished;
+      if (run.reused) return run;
+    }
+    discard_result(job.result_file);
+    run_process_of(job, program, stop, run);
+    if (run.status == SolverStatus::finished) note_key(job.result_file, key);
+  } catch (const exchange::FileError& error) { // program or key
+    run.status = SolverStatus::file_failed;
+    run.message = error.what();
+  }
+  return run;
+}
+
+std::optional<std::string> complaint_of(const SolverJob& job, const std::atomic<bool>& stop) {
+  const fs::path program = find_solver(job.solver);
+  if (program.empty()) return {};
+  constexpr double enough_to_read_a_case = 60.0;
+  const ScratchFile log;
+  std::vector<std::string> arguments = case_arguments(job);
+  arguments.emplace_back("--check");
+  const ProcessOutcome outcome = run_process(
+      {.program = program, .arguments = arguments, .log = log.path(), .time_limit = enough_to_read_a_case}, stop);
+  const bool refused = outcome.end == ProcessEnd::exited && outcome.code == static_cast<int>(ExitCode::bad_input);
+  if (!refused) return {};
+  constexpr std::size_t whole_message = 60;
+  return tail_of(log.path(), whole_message);
+}
+
+SolverRun stored_result(const std::string& solver, const fs::path& result_file) {
+  SolverRun run{.solver = solver, .reused = true, .result_file = result_file};
+  read_into(run);
+  if (run.result) run.wall_time = run.result->provenance.wall_time;
+  return run;
+}
+
+} // namespace settle::compare
