@@ -2,16 +2,20 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdlib>
 #include <fstream>
 #include <thread>
 
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <boost/process/args.hpp>
 #include <boost/process/child.hpp>
 #include <boost/process/group.hpp>
 #include <boost/process/io.hpp>
 #include <boost/process/search_path.hpp>
+
+#include "settle/exchange/errors.hpp"
 
 namespace settle::compare {
 namespace {
@@ -62,6 +66,32 @@ void wait(const ProcessRequest& request, const std::atomic<bool>& stop, Clock::t
   fill_from_status(child.native_exit_code(), outcome);
 }
 
+/// A file with a name of its own that is gone afterwards.
+class ScratchFile {
+public:
+  ScratchFile() : path_((std::filesystem::temp_directory_path() / "settle-output-XXXXXX").string()) {
+    const int descriptor = mkstemp(path_.data());
+    if (descriptor < 0) {
+      throw exchange::FileError({.where = path_,
+                                 .what = "a temporary file cannot be created",
+                                 .given = {},
+                                 .allowed = {},
+                                 .remedy = "set TMPDIR to a folder that can be written"});
+    }
+    close(descriptor);
+  }
+  ScratchFile(const ScratchFile&) = delete;
+  ScratchFile& operator=(const ScratchFile&) = delete;
+  ~ScratchFile() {
+    std::error_code ignored; // nothing is lost with a temporary file that stays
+    std::filesystem::remove(path_, ignored);
+  }
+  [[nodiscard]] std::filesystem::path path() const { return path_; }
+
+private:
+  std::string path_;
+};
+
 } // namespace
 
 ProcessOutcome run_process(const ProcessRequest& request, const std::atomic<bool>& stop) {
@@ -82,6 +112,17 @@ ProcessOutcome run_process(const ProcessRequest& request, const std::atomic<bool
   }
   outcome.wall_time = seconds_since(start);
   return outcome;
+}
+
+CapturedOutput run_captured(const std::filesystem::path& program, const std::vector<std::string>& arguments,
+                            double time_limit, const std::atomic<bool>& stop) {
+  const ScratchFile log;
+  CapturedOutput output;
+  output.outcome =
+      run_process({.program = program, .arguments = arguments, .log = log.path(), .time_limit = time_limit}, stop);
+  constexpr std::size_t all_lines = 1000;
+  output.text = tail_of(log.path(), all_lines);
+  return output;
 }
 
 std::filesystem::path find_in_path(const std::string& program) {

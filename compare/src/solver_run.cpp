@@ -1,9 +1,6 @@
 #include "settle/compare/solver_run.hpp"
 
-#include <cstdlib>
 #include <cstring>
-
-#include <unistd.h>
 
 #include <fmt/format.h>
 
@@ -29,16 +26,6 @@ std::vector<std::string> case_arguments(const SolverJob& job) {
     arguments.push_back(override_text);
   }
   return arguments;
-}
-
-/// Quoted for a POSIX shell where it is not made of harmless characters.
-std::string quoted(const std::string& word) {
-  const char* harmless = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./=+:,@%";
-  if (!word.empty() && word.find_first_not_of(harmless) == std::string::npos) return word;
-  std::string text = "'";
-  for (const char letter : word)
-    text += letter == '\'' ? std::string("'\\''") : std::string(1, letter);
-  return text + "'";
 }
 
 SolverStatus status_of_exit(int code) {
@@ -120,29 +107,22 @@ void run_process_of(const SolverJob& job, const fs::path& program, const std::at
   if (run.status != SolverStatus::finished) run.tail = tail_of(log, tail_lines);
 }
 
-/// A file with a name of its own that is gone afterwards.
-class ScratchFile {
-public:
-  ScratchFile() : path_((fs::temp_directory_path() / "settle-check-XXXXXX").string()) {
-    const int descriptor = mkstemp(path_.data());
-    if (descriptor >= 0) ::close(descriptor);
-  }
-  ScratchFile(const ScratchFile&) = delete;
-  ScratchFile& operator=(const ScratchFile&) = delete;
-  ~ScratchFile() {
-    std::error_code ignored; // nothing is lost with a temporary file that stays
-    fs::remove(path_, ignored);
-  }
-  [[nodiscard]] fs::path path() const { return path_; }
-
-private:
-  std::string path_;
-};
-
 } // namespace
 
 fs::path log_of(const fs::path& result_file) {
   return fs::path(result_file).replace_extension(".log");
+}
+
+std::string quoted(const std::string& word) {
+  const char* harmless = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./=+:,@%";
+  if (!word.empty() && word.find_first_not_of(harmless) == std::string::npos) return word;
+  std::string text(1, '\'');
+  for (const char letter : word) {
+    if (letter == '\'') text += "'\\'"; // leaves the quotes, a quote, enters them again
+    text += letter;
+  }
+  text += '\'';
+  return text;
 }
 
 std::string command_of(const SolverJob& job) {
@@ -164,6 +144,7 @@ SolverRun run_solver(const SolverJob& job, const std::atomic<bool>& stop) {
     if (!job.fresh && is_up_to_date(job.result_file, key)) {
       read_into(run);
       run.reused = run.status == SolverStatus::finished;
+      if (run.reused) run.wall_time = run.result->provenance.wall_time;
       if (run.reused) return run;
     }
     discard_result(job.result_file);
@@ -180,15 +161,12 @@ std::optional<std::string> complaint_of(const SolverJob& job, const std::atomic<
   const fs::path program = find_solver(job.solver);
   if (program.empty()) return {};
   constexpr double enough_to_read_a_case = 60.0;
-  const ScratchFile log;
   std::vector<std::string> arguments = case_arguments(job);
   arguments.emplace_back("--check");
-  const ProcessOutcome outcome = run_process(
-      {.program = program, .arguments = arguments, .log = log.path(), .time_limit = enough_to_read_a_case}, stop);
-  const bool refused = outcome.end == ProcessEnd::exited && outcome.code == static_cast<int>(ExitCode::bad_input);
-  if (!refused) return {};
-  constexpr std::size_t whole_message = 60;
-  return tail_of(log.path(), whole_message);
+  const CapturedOutput answer = run_captured(program, arguments, enough_to_read_a_case, stop);
+  const bool refused =
+      answer.outcome.end == ProcessEnd::exited && answer.outcome.code == static_cast<int>(ExitCode::bad_input);
+  return refused ? std::optional(answer.text) : std::nullopt;
 }
 
 SolverRun stored_result(const std::string& solver, const fs::path& result_file) {

@@ -31,6 +31,16 @@ struct ProcessOutcome {
 /// the whole group is killed. Never throws for what the program does, or for a program that cannot be started.
 ProcessOutcome run_process(const ProcessRequest& request, const std::atomic<bool>& stop);
 
+/// How a program ended and the end of what it printed.
+struct CapturedOutput {
+  ProcessOutcome outcome;
+  std::string text; ///< standard output and standard error, at most the last 16 KiB
+};
+
+/// Runs a program for what it prints. Throws FileError where there is no place for a temporary file.
+CapturedOutput run_captured(const std::filesystem::path& program, const std::vector<std::string>& arguments,
+                            double time_limit, const std::atomic<bool>& stop);
+
 /// A file in the folders of PATH; empty where there is none.
 std::filesystem::path find_in_path(const std::string& program);
 

@@ -29,6 +29,9 @@ std::filesystem::path log_of(const std::filesystem::path& result_file);
 /// The command as one can type it.
 std::string command_of(const SolverJob& job);
 
+/// A word quoted for a POSIX shell where it is not made of harmless characters.
+std::string quoted(const std::string& word);
+
 /// Runs the solver, or takes the up-to-date result that is already there. Never throws for what a solver does: a crash,
 /// a time limit, a missing or unreadable result are statuses.
 SolverRun run_solver(const SolverJob& job, const std::atomic<bool>& stop);

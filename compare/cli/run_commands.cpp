@@ -1,0 +1,118 @@
+#include <algorithm>
+#include <filesystem>
+#include <thread>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "command.hpp"
+#include "progress.hpp"
+#include "settle/compare/campaign_io.hpp"
+#include "settle/compare/campaign_run.hpp"
+#include "settle/compare/interrupt.hpp"
+#include "settle/compare/outcome_io.hpp"
+#include "settle/compare/report.hpp"
+#include "summary.hpp"
+
+namespace settle::compare::cli {
+
+using exchange::ExitCode;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Options of everything that runs solvers.
+struct Options {
+  std::string out;
+  int jobs = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  bool fresh = false;
+
+  void declare(CLI::App& app, const std::string& default_out) {
+    app.add_option("--out", out, "folder that gets results and report; left out: " + default_out);
+    app.add_option("-j,--jobs", jobs, "solvers at a time; left out: the number of cores")->check(CLI::PositiveNumber);
+    app.add_flag("--fresh", fresh, "run again what is up to date");
+  }
+};
+
+ExitCode run_and_report(const Campaign& campaign, const Options& options, const fs::path& folder,
+                        const std::string& command_line) {
+  watch_interrupts();
+  ProgressLine line;
+  const RunOptions run_options{.folder = folder,
+                               .jobs = options.jobs,
+                               .fresh = options.fresh,
+                               .on_progress = [&](const Progress& progress) { line.show(progress); }};
+  CampaignOutcome outcome = run_campaign(campaign, run_options, interrupted());
+  line.clear();
+  outcome.command = command_line;
+  write_outcome(outcome, folder);
+  fmt::print("{}\n", summary_text(outcome));
+  write_report(outcome, folder);
+  fmt::print("report: {}\n", (folder / "report.html").string());
+  return exit_code_of(outcome.runs);
+}
+
+class RunCommand : public Command {
+public:
+  [[nodiscard]] std::string name() const override { return "run"; }
+  [[nodiscard]] std::string purpose() const override { return "run one case: solvers, exact solution, report"; }
+  void declare(CLI::App& app) override {
+    app.add_option("CASE", case_, "case file (TOML)")->required();
+    app.add_option("--set", overrides_, "override a key of the case, as key=value; may be repeated")
+        ->take_all()
+        ->allow_extra_args(false);
+    app.add_option("--solvers", solvers_, "solvers, separated by commas; left out: mpm,fem")
+        ->delimiter(',')
+        ->check(CLI::IsMember({"mpm", "fem"}));
+    options_.declare(app, "results/NAME, NAME being the case file's");
+  }
+  ExitCode run(const std::string& command_line) override {
+    const Campaign campaign = campaign_of_case(case_, overrides_, solvers_);
+    const fs::path folder =
+        options_.out.empty() ? fs::path("results") / fs::path(case_).stem() : fs::path(options_.out);
+    return run_and_report(campaign, options_, folder, command_line);
+  }
+
+private:
+  std::string case_;
+  std::vector<std::string> overrides_;
+  std::vector<std::string> solvers_{"mpm", "fem"};
+  Options options_;
+};
+
+/// A file called campaign.toml is named after its folder.
+std::string campaign_name(const fs::path& file) {
+  const std::string stem = file.stem().string();
+  const std::string folder = fs::absolute(file).lexically_normal().parent_path().filename().string();
+  return stem == "campaign" && !folder.empty() ? folder : stem;
+}
+
+class CampaignCommand : public Command {
+public:
+  [[nodiscard]] std::string name() const override { return "campaign"; }
+  [[nodiscard]] std::string purpose() const override { return "run a campaign: many cases, one report"; }
+  void declare(CLI::App& app) override {
+    app.add_option("FILE", file_, "campaign file (TOML)")->required();
+    options_.declare(app, "results/NAME, NAME being the file's, or its folder's for campaign.toml");
+  }
+  ExitCode run(const std::string& command_line) override {
+    const Campaign campaign = read_campaign(file_);
+    const fs::path folder = options_.out.empty() ? fs::path("results") / campaign_name(file_) : fs::path(options_.out);
+    return run_and_report(campaign, options_, folder, command_line);
+  }
+
+private:
+  std::string file_;
+  Options options_;
+};
+
+} // namespace
+
+std::unique_ptr<Command> make_run_command() {
+  return std::make_unique<RunCommand>();
+}
+std::unique_ptr<Command> make_campaign_command() {
+  return std::make_unique<CampaignCommand>();
+}
+
+} // namespace settle::compare::cli

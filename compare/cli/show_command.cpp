@@ -1,0 +1,63 @@
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "command.hpp"
+#include "settle/compare/column_law.hpp"
+#include "settle/compare/exact_column.hpp"
+#include "settle/exchange/case_io.hpp"
+
+namespace settle::compare::cli {
+namespace {
+
+std::string exact_figures(const exchange::Case& study, exchange::Kinematics kinematics, const std::string& who) {
+  const ExactColumn column(study, kinematics);
+  const int last = study.construction.layers;
+  return fmt::format("# exact, what {} solves ({} kinematics):\n"
+                     "#   largest settlement {:.6f} m, base stress {:.3f} kPa, mean density {:.1f} kg/m3, "
+                     "surface at {:.6f} m\n",
+                     who, exchange::name_of(kinematics), column.largest_settlement(last),
+                     column.base_stress(last) / 1e3, column.mean_density(last), column.surface_height(last));
+}
+
+/// As TOML comments, so that what is shown is a case file.
+std::string derived_figures(const exchange::Case& study) {
+  const double height = study.geometry.height;
+  std::string text = fmt::format("# constrained modulus M = {:.6g} Pa\n# unit weight gamma_0 = {:.6g} N/m3\n"
+                                 "# layer thickness {:.6g} m\n# Eq. (1), largest settlement {:.6f} m\n",
+                                 ColumnLaw(study.fill()).constrained_modulus(), study.fill().density * study.gravity,
+                                 study.layer_thickness(), equation_1(study, study.fill().density, height / 2.0));
+  text += exact_figures(study, exchange::Kinematics::finite, "mpm");
+  return text + exact_figures(study, study.fem.kinematics, "fem");
+}
+
+class ShowCommand : public Command {
+public:
+  [[nodiscard]] std::string name() const override { return "show"; }
+  [[nodiscard]] std::string purpose() const override {
+    return "show a case with its defaults and what follows from it";
+  }
+  void declare(CLI::App& app) override {
+    app.add_option("CASE", case_, "case file (TOML)")->required();
+    app.add_option("--set", overrides_, "override a key of the case, as key=value; may be repeated")
+        ->take_all()
+        ->allow_extra_args(false);
+  }
+  exchange::ExitCode run(const std::string&) override {
+    const exchange::Case study = exchange::read_case(case_, overrides_);
+    fmt::print("{}\n{}", exchange::to_toml(study), derived_figures(study));
+    return exchange::ExitCode::success;
+  }
+
+private:
+  std::string case_;
+  std::vector<std::string> overrides_;
+};
+
+} // namespace
+
+std::unique_ptr<Command> make_show_command() {
+  return std::make_unique<ShowCommand>();
+}
+
+} // namespace settle::compare::cli

@@ -1,0 +1,57 @@
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "command.hpp"
+#include "settle/compare/campaign_run.hpp"
+#include "settle/compare/outcome_io.hpp"
+#include "settle/compare/report.hpp"
+#include "summary.hpp"
+
+namespace settle::compare::cli {
+
+using exchange::ExitCode;
+
+namespace {
+
+class CheckCommand : public Command {
+public:
+  [[nodiscard]] std::string name() const override { return "check"; }
+  [[nodiscard]] std::string purpose() const override { return "judge existing results again, without running"; }
+  void declare(CLI::App& app) override { app.add_option("DIR", folder_, "folder of a run or campaign")->required(); }
+  ExitCode run(const std::string&) override {
+    const CampaignOutcome outcome = read_outcome(folder_);
+    fmt::print("{}", summary_text(outcome));
+    return exit_code_of(outcome.runs);
+  }
+
+private:
+  std::string folder_;
+};
+
+class ReportCommand : public Command {
+public:
+  [[nodiscard]] std::string name() const override { return "report"; }
+  [[nodiscard]] std::string purpose() const override { return "write the report of existing results again"; }
+  void declare(CLI::App& app) override { app.add_option("DIR", folder_, "folder of a run or campaign")->required(); }
+  ExitCode run(const std::string&) override {
+    const CampaignOutcome outcome = read_outcome(folder_);
+    write_report(outcome, folder_);
+    fmt::print("report: {}\n", (std::filesystem::path(folder_) / "report.html").string());
+    return exit_code_of(outcome.runs);
+  }
+
+private:
+  std::string folder_;
+};
+
+} // namespace
+
+std::unique_ptr<Command> make_check_command() {
+  return std::make_unique<CheckCommand>();
+}
+std::unique_ptr<Command> make_report_command() {
+  return std::make_unique<ReportCommand>();
+}
+
+} // namespace settle::compare::cli

@@ -1,0 +1,81 @@
+#include "summary.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "settle/compare/field_samples.hpp"
+#include "settle/compare/report.hpp"
+
+namespace settle::compare::cli {
+namespace {
+
+/// Largest settlement over points and probes after the last stage [m].
+double largest_settlement(const exchange::Result& result) {
+  double largest = 0.0;
+  const auto look = [&](const FieldSamples& samples) {
+    for (const double value : samples.value)
+      largest = std::isnan(value) ? value : std::max(largest, value);
+  };
+  look(point_samples(result.stages.back(), result.used.dimension, exchange::Quantity::settlement));
+  look(probe_samples(result.stages.back(), result.used.dimension, exchange::Quantity::settlement));
+  return largest;
+}
+
+double plan_area(const exchange::Geometry& geometry) {
+  return geometry.width * (geometry.dimension == 3 ? geometry.depth.value_or(geometry.width) : 1.0);
+}
+
+std::string key_figures(const RunOutcome& run, const SolverRun& solver) {
+  if (!solver.result || solver.result->stages.empty())
+    return fmt::format("{} {}", solver.solver, name_of(solver.status));
+  const exchange::Stage& last = solver.result->stages.back();
+  return fmt::format("{} {:.4f} m, {:.2f} kPa{}", solver.solver, largest_settlement(*solver.result),
+                     last.base_reaction / plan_area(run.study.geometry) / 1e3,
+                     last.in_equilibrium ? "" : " (out of equilibrium)");
+}
+
+std::string run_line(const RunOutcome& run, std::size_t name_width) {
+  std::array<int, 4> counts{};
+  for (const Verdict& verdict : reported_verdicts(run))
+    ++counts.at(static_cast<std::size_t>(verdict.status));
+  std::string line = fmt::format("{:<{}}  {:>6} {:>6} {:>7} {:>5}  ", run.name, name_width, counts[0], counts[1],
+                                 counts[2], counts[3]);
+  for (std::size_t i = 0; i < run.solvers.size(); ++i)
+    line += (i > 0 ? "; " : "") + key_figures(run, run.solvers[i]);
+  return line + "\n";
+}
+
+} // namespace
+
+std::string failures_text(const std::vector<Verdict>& verdicts) {
+  std::string text;
+  for (const Verdict& verdict : verdicts) {
+    if (verdict.status == Status::passed) continue;
+    text += fmt::format("{}: {}: {}\n", name_of(verdict.status), verdict.run, verdict.what);
+    std::string message = verdict.message;
+    for (std::size_t at = message.find('\n'); at != std::string::npos; at = message.find('\n', at + 1)) {
+      message.insert(at + 1, "    ");
+    }
+    if (!message.empty()) text += "    " + message + "\n";
+  }
+  return text;
+}
+
+std::string summary_text(const CampaignOutcome& outcome) {
+  std::size_t width = 3;
+  for (const RunOutcome& run : outcome.runs)
+    width = std::max(width, run.name.size());
+  std::string text = fmt::format("{:<{}}  {:>6} {:>6} {:>7} {:>5}  {}\n", "run", width, "passed", "failed", "missing",
+                                 "error", "largest settlement, base reaction over area");
+  std::string failures;
+  for (const RunOutcome& run : outcome.runs) {
+    text += run_line(run, width);
+    failures += failures_text(reported_verdicts(run));
+  }
+  return failures.empty() ? text : text + "\n" + failures;
+}
+
+} // namespace settle::compare::cli
