@@ -65,7 +65,7 @@ void fill_end(const ProcessOutcome& outcome, double time_limit, SolverRun& run) 
     return;
   case ProcessEnd::not_started:
     run.status = SolverStatus::not_found;
-    run.message = "cannot be started: " + outcome.problem;
+    run.message = fmt::format("cannot be started: {}", outcome.problem);
     return;
   }
 }
@@ -128,8 +128,8 @@ std::string quoted(const std::string& word) {
 std::string command_of(const SolverJob& job) {
   std::string text = program_name(job.solver);
   for (const std::string& argument : case_arguments(job))
-    text += " " + quoted(argument);
-  return text + " --out " + quoted(job.result_file.string());
+    text.append(" ").append(quoted(argument));
+  return text.append(" --out ").append(quoted(job.result_file.string()));
 }
 
 SolverRun run_solver(const SolverJob& job, const std::atomic<bool>& stop) {
