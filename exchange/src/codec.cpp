@@ -29,10 +29,14 @@ std::string with_unit(std::string text, const std::string& unit) {
   return unit.empty() ? text : fmt::format("{} [{}]", text, unit);
 }
 
-/// The JSON Schema of a number's range.
+/// The JSON Schema of a range, its limits written as `Number`.
+template <class Number>
 void add_range(const Range& range, Table& schema) {
-  if (range.lowest) schema.push_back(entry(range.lowest_open ? "exclusiveMinimum" : "minimum", {*range.lowest, {}}));
-  if (range.highest) schema.push_back(entry(range.highest_open ? "exclusiveMaximum" : "maximum", {*range.highest, {}}));
+  const auto add = [&schema](const char* key, double limit) {
+    schema.push_back(entry(key, {static_cast<Number>(limit), {}}));
+  };
+  if (range.lowest) add(range.lowest_open ? "exclusiveMinimum" : "minimum", *range.lowest);
+  if (range.highest) add(range.highest_open ? "exclusiveMaximum" : "maximum", *range.highest);
 }
 
 } // namespace
@@ -58,7 +62,7 @@ std::optional<Value> RealCodec::write(const double& member) const {
 
 Table RealCodec::schema() const {
   Table schema{type_entry("number")};
-  add_range(info_.range, schema);
+  add_range<double>(info_.range, schema);
   return schema;
 }
 
@@ -86,7 +90,7 @@ std::optional<Value> IntegerCodec::write(const int& member) const {
 
 Table IntegerCodec::schema() const {
   Table schema{type_entry("integer")};
-  add_range(info_.range, schema);
+  add_range<std::int64_t>(info_.range, schema);
   return schema;
 }
 

@@ -1,6 +1,7 @@
 #include "settle/exchange/document.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cerrno>
 #include <cstring>
 #include <fstream>

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cctype>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -41,6 +42,12 @@ bool has_header(const Value& value) {
 
 void write_table(const Table& table, const std::string& path, std::string& text);
 
+/// A table of nothing but tables needs no header of its own.
+bool holds_only_tables(const Table& table) {
+  return !table.empty() &&
+         std::all_of(table.begin(), table.end(), [](const Entry& entry) { return has_header(entry.value); });
+}
+
 void write_section(const std::string& header, const Table& table, const std::string& path, std::string& text) {
   text += fmt::format("{}{}\n", text.empty() ? "" : "\n", header);
   write_table(table, path, text);
@@ -49,7 +56,11 @@ void write_section(const std::string& header, const Table& table, const std::str
 void write_headed(const Entry& entry, const std::string& path, std::string& text) {
   const std::string inside = path.empty() ? key_text(entry.key) : path + "." + key_text(entry.key);
   if (const auto* table = std::get_if<Table>(&entry.value.data)) {
-    write_section("[" + inside + "]", *table, inside, text);
+    if (holds_only_tables(*table)) {
+      write_table(*table, inside, text);
+    } else {
+      write_section("[" + inside + "]", *table, inside, text);
+    }
     return;
   }
   for (const Value& item : std::get<List>(entry.value.data))

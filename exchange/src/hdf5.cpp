@@ -103,8 +103,8 @@ template <class Read>
 bool read_string(hid_t stored, const Read& read, std::string& text) {
   if (H5Tis_variable_str(stored) > 0) {
     char* buffer = nullptr;
-    if (read(text_type(H5Tget_cset(stored)).id(), &buffer) < 0 || buffer == nullptr) return false;
-    text = buffer;
+    if (read(text_type(H5Tget_cset(stored)).id(), &buffer) < 0) return false;
+    text = buffer == nullptr ? "" : buffer; // HDF5 gives an empty text as a null pointer
     H5free_memory(buffer);
     return true;
   }

@@ -1,6 +1,7 @@
 #include "settle/exchange/key_table.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <set>
 
 #include <fmt/format.h>

@@ -100,24 +100,25 @@ constexpr std::string_view name_of(Enum value) {
 /// The domain that is built up.
 struct Geometry {
   Shape shape = Shape::column;
-  double height = 0.0;         ///< design height H [m]
-  double width = 0.0;          ///< [m]
-  std::optional<double> depth; ///< third dimension [m]; set by `read_case` to the width where a 3-D case leaves it out
-  int dimension = 2;           ///< 2 (plane strain) or 3
+  double height = 0.0; ///< design height H [m]
+  double width = 0.0;  ///< [m]
+  std::optional<double>
+      depth{};       ///< third dimension [m]; set by `read_case` to the width where a 3-D case leaves it out
+  int dimension = 2; ///< 2 (plane strain) or 3
 };
 
 struct Material {
   Law law = Law::rate;
-  double youngs_modulus = 0.0;    ///< E [Pa]
-  double poissons_ratio = 0.0;    ///< nu [-]
-  double density = 0.0;           ///< as placed [kg/m3]
-  std::optional<double> porosity; ///< [-]; recorded, not used by one-phase solvers
+  double youngs_modulus = 0.0;      ///< E [Pa]
+  double poissons_ratio = 0.0;      ///< nu [-]
+  double density = 0.0;             ///< as placed [kg/m3]
+  std::optional<double> porosity{}; ///< [-]; recorded, not used by one-phase solvers
 };
 
 struct Construction {
   int layers = 1;
   Convention convention = Convention::refill;
-  std::string material; ///< a name among the case's materials
+  std::string material{}; ///< a name among the case's materials
 };
 
 struct QuasiStatic {
@@ -129,7 +130,7 @@ struct ExplicitDynamic {
   double damping = 0.75;        ///< local damping factor alpha [-]
   double courant = 0.9;         ///< fraction of the stable step [-]
   double ramp_time = 10.0;      ///< of a layer's gravity, per stage [s]
-  std::optional<double> hold;   ///< hold after the ramp [s]; nothing: until equilibrium
+  std::optional<double> hold{}; ///< hold after the ramp [s]; nothing: until equilibrium
   double force_error = 0.001;   ///< sum|F_unbalanced| / sum|F_external| [-]
   double energy_error = 0.001;  ///< kinetic energy / work of external forces [-]
   double max_hold_time = 600.0; ///< [s]
@@ -145,8 +146,8 @@ struct Mpm {
   RefillRule refill = RefillRule::sub_element;
   bool average_stress = false;
   Scheme scheme = Scheme::quasi_static;
-  QuasiStatic quasi_static;
-  ExplicitDynamic explicit_dynamic; ///< the table `[mpm.explicit]`
+  QuasiStatic quasi_static{};
+  ExplicitDynamic explicit_dynamic{}; ///< the table `[mpm.explicit]`
 };
 
 /// What the finite element method is told.
@@ -154,53 +155,53 @@ struct Fem {
   FemElement element = FemElement::Q1;
   double element_size = 0.125; ///< [m]
   Kinematics kinematics = Kinematics::small;
-  std::optional<int> increments; ///< per stage; set by `read_case`: 1 (small), 4 (finite) where left out
+  std::optional<int> increments{}; ///< per stage; set by `read_case`: 1 (small), 4 (finite) where left out
 };
 
 /// A vertical line of material points that every solver samples.
 struct Probes {
-  std::optional<double> x;  ///< [m]; set by `read_case` to the middle of the column where left out
-  std::optional<double> y;  ///< [m]; 3-D only, likewise
-  int points_per_layer = 9; ///< both ends of the layer included
+  std::optional<double> x{}; ///< [m]; set by `read_case` to the middle of the column where left out
+  std::optional<double> y{}; ///< [m]; 3-D only, likewise
+  int points_per_layer = 9;  ///< both ends of the layer included
 };
 
 /// A table of another code's results at material points, read from a CSV file (see docs/formats.md).
 struct Reference {
-  std::string file; ///< path, relative to the case file's folder
-  std::string title;
+  std::string file{}; ///< path, relative to the case file's folder
+  std::string title{};
 };
 
 /// One comparison and the limit it is held to.
 struct Check {
   Quantity quantity = Quantity::settlement;
-  std::vector<std::string> between; ///< two of: a solver's name, "exact", a reference's name
+  std::vector<std::string> between{}; ///< two of: a solver's name, "exact", a reference's name
   Norm norm = Norm::l2;
   Over over = Over::automatic; ///< automatic: points for a leg with exact, probes between solvers
   CheckStages stages = CheckStages::last;
-  std::vector<int> layers;     ///< first and last layer compared; empty: all
-  double limit = 0.0;          ///< relative to `scale`
-  double at_least = 0.0;       ///< lower end of an expected band, relative to `scale`
-  std::optional<double> scale; ///< SI units of the quantity; nothing: the same norm of the reference
-  std::string why;
+  std::vector<int> layers{};     ///< first and last layer compared; empty: all
+  double limit = 0.0;            ///< relative to `scale`
+  double at_least = 0.0;         ///< lower end of an expected band, relative to `scale`
+  std::optional<double> scale{}; ///< SI units of the quantity; nothing: the same norm of the reference
+  std::string why{};
 };
 
 /// A whole case file after defaults and overrides.
 struct Case {
   int format = 1;
-  std::string title;
-  std::string source;
+  std::string title{};
+  std::string source{};
   double gravity = 0.0; ///< [m/s2]
-  Geometry geometry;
-  std::map<std::string, Material> materials; ///< `[material.NAME]`
-  Construction construction;
-  Mpm mpm;
-  Fem fem;
-  std::map<std::string, Probes> probes;        ///< `[probes.NAME]`
-  std::map<std::string, Reference> references; ///< `[reference.NAME]`
-  std::vector<Check> checks;                   ///< `[[check]]`
+  Geometry geometry{};
+  std::map<std::string, Material> materials{}; ///< `[material.NAME]`
+  Construction construction{};
+  Mpm mpm{};
+  Fem fem{};
+  std::map<std::string, Probes> probes{};        ///< `[probes.NAME]`
+  std::map<std::string, Reference> references{}; ///< `[reference.NAME]`
+  std::vector<Check> checks{};                   ///< `[[check]]`
 
-  std::string file;                           ///< as given by the user
-  std::map<std::string, std::string> origins; ///< dotted key -> `file:line:column` or `--set ...`; only keys given
+  std::string file{};                           ///< as given by the user
+  std::map<std::string, std::string> origins{}; ///< dotted key -> `file:line:column` or `--set ...`; only keys given
 
   /// The material of the fill. Throws std::out_of_range only if the case did not come from `read_case`.
   [[nodiscard]] const Material& fill() const { return materials.at(construction.material); }

@@ -20,11 +20,11 @@ enum class ExitCode : int {
 
 /// One complaint in the order a reader needs it. Empty members are not printed.
 struct Complaint {
-  std::string where;   ///< `file:line:column`, a command-line option, or a path
-  std::string what;    ///< what is wrong, one clause, no full stop
-  std::string given;   ///< the value that was found
-  std::string allowed; ///< what would have been accepted
-  std::string remedy;  ///< what to do about it
+  std::string where{};   ///< `file:line:column`, a command-line option, or a path
+  std::string what{};    ///< what is wrong, one clause, no full stop
+  std::string given{};   ///< the value that was found
+  std::string allowed{}; ///< what would have been accepted
+  std::string remedy{};  ///< what to do about it
 };
 
 /// `where: what`, then one indented line for each of given, allowed and remedy.

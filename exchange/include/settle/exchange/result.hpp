@@ -16,26 +16,26 @@ namespace settle::exchange {
 
 /// Native sample points of one stage: material points or quadrature points. n points, `dim` space dimensions.
 struct SamplePoints {
-  std::vector<std::uint64_t> id;       ///< (n) stays with the point through all stages
-  std::vector<std::int32_t> layer;     ///< (n) 1 ... N
-  std::vector<std::uint8_t> refilled;  ///< (n) 1: added during a stage to make up for settlement
-  std::vector<double> placed_position; ///< (n, dim) [m]
-  std::vector<double> position;        ///< (n, dim) [m]
-  std::vector<double> displacement;    ///< (n, dim) since placement [m]
-  std::vector<double> stress;          ///< (n, 6) Cauchy [Pa]
-  std::vector<double> density;         ///< (n) current [kg/m3]
-  std::vector<double> volume;          ///< (n) current [m3/m or m3]
+  std::vector<std::uint64_t> id{};       ///< (n) stays with the point through all stages
+  std::vector<std::int32_t> layer{};     ///< (n) 1 ... N
+  std::vector<std::uint8_t> refilled{};  ///< (n) 1: added during a stage to make up for settlement
+  std::vector<double> placed_position{}; ///< (n, dim) [m]
+  std::vector<double> position{};        ///< (n, dim) [m]
+  std::vector<double> displacement{};    ///< (n, dim) since placement [m]
+  std::vector<double> stress{};          ///< (n, 6) Cauchy [Pa]
+  std::vector<double> density{};         ///< (n) current [kg/m3]
+  std::vector<double> volume{};          ///< (n) current [m3/m or m3]
 
   [[nodiscard]] std::size_t size() const { return id.size(); }
 };
 
 /// One line of probes at one stage; only layers already placed. m points.
 struct ProbeSamples {
-  std::vector<std::int32_t> layer;     ///< (m)
-  std::vector<double> design_position; ///< (m, dim) in the design geometry [m]
-  std::vector<double> placed_position; ///< (m, dim) [m]
-  std::vector<double> displacement;    ///< (m, dim) since placement [m]
-  std::vector<double> stress;          ///< (m, 6) Cauchy [Pa]
+  std::vector<std::int32_t> layer{};     ///< (m)
+  std::vector<double> design_position{}; ///< (m, dim) in the design geometry [m]
+  std::vector<double> placed_position{}; ///< (m, dim) [m]
+  std::vector<double> displacement{};    ///< (m, dim) since placement [m]
+  std::vector<double> stress{};          ///< (m, 6) Cauchy [Pa]
 
   [[nodiscard]] std::size_t size() const { return layer.size(); }
 };
@@ -54,8 +54,8 @@ struct Stage {
   double base_reaction = 0;       ///< positive upward [N/m or N]
   double surface_height = 0;      ///< points' volume over plan area; `drop`: highest point plus half its height [m]
   double wall_time = 0;           ///< [s]
-  SamplePoints points;
-  std::map<std::string, ProbeSamples> probes;
+  SamplePoints points{};
+  std::map<std::string, ProbeSamples> probes{};
 };
 
 /// The values the solver really used, for the driver to hold against the case.
@@ -72,21 +72,21 @@ struct Used {
 
 /// Where a result comes from.
 struct Provenance {
-  std::string solver; ///< "settle-mpm", "settle-fem", or another program's name
-  std::string program_version;
-  std::string commit;
-  std::string case_sha256; ///< of the text under `/case`
-  std::string created;     ///< UTC, ISO 8601
+  std::string solver{}; ///< "settle-mpm", "settle-fem", or another program's name
+  std::string program_version{};
+  std::string commit{};
+  std::string case_sha256{}; ///< of the text under `/case`
+  std::string created{};     ///< UTC, ISO 8601
   int threads = 1;
   double wall_time = 0; ///< [s]
 };
 
 /// A whole result file.
 struct Result {
-  Provenance provenance;
-  std::string case_text; ///< the case as read, overrides applied, defaults filled in (TOML)
-  Used used;
-  std::vector<Stage> stages;
+  Provenance provenance{};
+  std::string case_text{}; ///< the case as read, overrides applied, defaults filled in (TOML)
+  Used used{};
+  std::vector<Stage> stages{};
 };
 
 /// The values of `/used` as the case states them, to be overwritten by what the solver really used.

@@ -1,0 +1,154 @@
+#include <fstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "sample_result.hpp"
+#include "settle/exchange/case_io.hpp"
+#include "settle/exchange/errors.hpp"
+#include "settle/exchange/program.hpp"
+#include "settle/exchange/result_io.hpp"
+
+using namespace settle::exchange;
+using testing::HasSubstr;
+
+namespace {
+
+void expect_same(const SamplePoints& read, const SamplePoints& written) {
+  EXPECT_EQ(read.id, written.id);
+  EXPECT_EQ(read.layer, written.layer);
+  EXPECT_EQ(read.refilled, written.refilled);
+  EXPECT_EQ(read.placed_position, written.placed_position);
+  EXPECT_EQ(read.position, written.position);
+  EXPECT_EQ(read.displacement, written.displacement);
+  EXPECT_EQ(read.stress, written.stress);
+  EXPECT_EQ(read.density, written.density);
+  EXPECT_EQ(read.volume, written.volume);
+}
+
+void expect_same(const ProbeSamples& read, const ProbeSamples& written) {
+  EXPECT_EQ(read.layer, written.layer);
+  EXPECT_EQ(read.design_position, written.design_position);
+  EXPECT_EQ(read.placed_position, written.placed_position);
+  EXPECT_EQ(read.displacement, written.displacement);
+  EXPECT_EQ(read.stress, written.stress);
+}
+
+void expect_same(const Stage& read, const Stage& written) {
+  EXPECT_EQ(read.layer, written.layer);
+  EXPECT_EQ(read.steps, written.steps);
+  EXPECT_EQ(read.linear_solves, written.linear_solves);
+  EXPECT_EQ(read.out_of_balance, written.out_of_balance);
+  EXPECT_EQ(read.in_equilibrium, written.in_equilibrium);
+  EXPECT_EQ(read.mass, written.mass);
+  EXPECT_EQ(read.mass_placed, written.mass_placed);
+  EXPECT_EQ(read.mass_refilled, written.mass_refilled);
+  EXPECT_EQ(read.weight, written.weight);
+  EXPECT_EQ(read.base_reaction, written.base_reaction);
+  EXPECT_EQ(read.surface_height, written.surface_height);
+  EXPECT_EQ(read.wall_time, written.wall_time);
+  expect_same(read.points, written.points);
+  ASSERT_EQ(read.probes.size(), written.probes.size());
+  for (const auto& [name, samples] : written.probes)
+    expect_same(read.probes.at(name), samples);
+}
+
+/// The message of the FileError that creating a writer throws; empty if it throws none.
+std::string complaint_on_writing(const std::filesystem::path& file) {
+  const Case study = sample_case(2);
+  try {
+    const ResultWriter writer(file, study, "settle-test", used_values(study, Kinematics::small));
+  } catch (const FileError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+class ResultRoundTrip : public testing::TestWithParam<int> {};
+
+} // namespace
+
+TEST_P(ResultRoundTrip, LosesNoBitOfAnyStage) {
+  const Result result = read_result(write_sample("result.h5", GetParam()));
+  ASSERT_EQ(result.stages.size(), 2U);
+  for (const int layer : {1, 2})
+    expect_same(result.stages[static_cast<std::size_t>(layer) - 1], sample_stage(layer, GetParam()));
+}
+
+TEST_P(ResultRoundTrip, KeepsTheCaseTheValuesUsedAndTheProvenance) {
+  const Result result = read_result(write_sample("result.h5", GetParam()));
+  EXPECT_EQ(result.case_text, to_toml(sample_case(GetParam())));
+  EXPECT_EQ(result.used.youngs_modulus, 4e5);
+  EXPECT_EQ(result.used.poissons_ratio, 0.25);
+  EXPECT_EQ(result.used.density, 1720.0);
+  EXPECT_EQ(result.used.gravity, 9.81);
+  EXPECT_EQ(result.used.law, Law::hencky);
+  EXPECT_EQ(result.used.kinematics, Kinematics::finite);
+  EXPECT_EQ(result.used.convention, Convention::drop);
+  EXPECT_EQ(result.used.dimension, GetParam());
+  EXPECT_EQ(result.provenance.solver, "settle-test");
+  EXPECT_EQ(result.provenance.program_version, program_version());
+  EXPECT_EQ(result.provenance.commit, program_commit());
+  EXPECT_EQ(result.provenance.case_sha256, sha256(result.case_text));
+  EXPECT_EQ(result.provenance.threads, 2);
+  EXPECT_EQ(result.provenance.wall_time, 1.5);
+}
+
+INSTANTIATE_TEST_SUITE_P(Dimensions, ResultRoundTrip, testing::Values(2, 3),
+                         [](const auto& parameter) { return "in" + std::to_string(parameter.param) + "D"; });
+
+TEST(ResultWriter, KeepsAStageWithoutPointsOrProbes) {
+  const auto file = fresh_path("empty.h5");
+  const Case study = sample_case(2);
+  ResultWriter writer(file, study, "settle-test", used_values(study, Kinematics::small));
+  writer.write(Stage{.layer = 1});
+  writer.finish(0, 1);
+  const Result result = read_result(file);
+  ASSERT_EQ(result.stages.size(), 1U);
+  EXPECT_EQ(result.stages[0].points.size(), 0U);
+  EXPECT_TRUE(result.stages[0].probes.empty());
+}
+
+TEST(ResultWriter, GivesTheFinalNameOnlyToAFileThatIsWhole) {
+  const auto file = fresh_path("result.h5");
+  const Case study = sample_case(2);
+  ResultWriter writer(file, study, "settle-test", used_values(study, Kinematics::small));
+  writer.write(sample_stage(1, 2));
+  EXPECT_FALSE(std::filesystem::exists(file));
+  EXPECT_TRUE(std::filesystem::exists(file.string() + ".partial"));
+  writer.finish(0, 1);
+  EXPECT_TRUE(std::filesystem::exists(file));
+  EXPECT_FALSE(std::filesystem::exists(file.string() + ".partial"));
+}
+
+TEST(ResultWriter, ThatIsAbandonedLeavesAnOlderResultUntouched) {
+  const auto file = write_sample("result.h5");
+  const auto size = std::filesystem::file_size(file);
+  {
+    const Case study = sample_case(2);
+    ResultWriter writer(file, study, "settle-other", used_values(study, Kinematics::small));
+    writer.write(sample_stage(1, 2));
+  }
+  EXPECT_EQ(std::filesystem::file_size(file), size);
+  EXPECT_EQ(read_result(file).provenance.solver, "settle-test");
+  EXPECT_THAT(complaint_about(file.string() + ".partial"), HasSubstr("the result is not complete"));
+}
+
+TEST(ResultWriter, RefusesAStageWhoseVectorsDoNotBelongTogether) {
+  const auto file = fresh_path("result.h5");
+  const Case study = sample_case(2);
+  ResultWriter writer(file, study, "settle-test", used_values(study, Kinematics::small));
+  Stage stage = sample_stage(1, 2);
+  stage.points.stress.pop_back();
+  EXPECT_THROW(writer.write(stage), std::logic_error);
+}
+
+TEST(ResultWriter, SaysAtOnceThatItCannotWriteThere) {
+  const auto file = fresh_path("file");
+  std::ofstream(file) << "text";
+  EXPECT_THAT(complaint_on_writing(file.parent_path() / "absent" / "r.h5"), HasSubstr("there is no such folder"));
+  EXPECT_THAT(complaint_on_writing(file / "r.h5"), HasSubstr("there is no such folder"));
+  EXPECT_THAT(complaint_on_writing(file.parent_path()), HasSubstr("given:   a folder"));
+  std::filesystem::create_directory(file.parent_path() / "r.h5.partial");
+  EXPECT_THAT(complaint_on_writing(file.parent_path() / "r.h5"), HasSubstr("the file cannot be created"));
+}
