@@ -13,9 +13,13 @@ constexpr const char* black = "#000000";
 constexpr const char* grey = "#6B6B6B";
 constexpr std::array palette{"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9"};
 
-const char* colour_number(std::size_t index) { return palette[index % palette.size()]; }
+const char* colour_number(std::size_t index) {
+  return palette[index % palette.size()];
+}
 
-bool is_line(const std::string& source) { return source == "exact" || source == "exact-fem" || source == "eq-1"; }
+bool is_line(const std::string& source) {
+  return source == "exact" || source == "exact-fem" || source == "eq-1";
+}
 
 CurveStyle shape_of(const std::string& source) {
   if (source == "exact") return {black, true, 1, 0, 0};

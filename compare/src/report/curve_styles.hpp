@@ -17,8 +17,8 @@ struct CurveStyle {
   double point_size = 0.5; ///< of markers
 };
 
-/// One style a curve. A figure about one run has a colour for each source, a figure about several runs a colour for each
-/// run; the shape tells the source in both. Colours: Okabe & Ito (2008), distinguishable by the colour-blind.
+/// One style a curve. A figure about one run has a colour for each source, a figure about several runs a colour for
+/// each run; the shape tells the source in both. Colours: Okabe & Ito (2008), distinguishable by the colour-blind.
 std::vector<CurveStyle> styles_of(const Plot& plot);
 
 } // namespace settle::compare::report

@@ -85,7 +85,9 @@ void label_stage(Plot& plot, const Profile& profile, int stage) {
   plot.stage_labels.push_back({fmt::format("stage {}", stage), end});
 }
 
-void append(Profile& profile, const Profile& more) { profile.insert(profile.end(), more.begin(), more.end()); }
+void append(Profile& profile, const Profile& more) {
+  profile.insert(profile.end(), more.begin(), more.end());
+}
 
 PlotCurve drawn(const Curve& curve, const RunOutcome& run, const CampaignOutcome& outcome, Plot& plot) {
   PlotCurve result{printable(curve.label), curve.run, curve.source, {}};
@@ -102,7 +104,7 @@ PlotCurve drawn(const Curve& curve, const RunOutcome& run, const CampaignOutcome
   }
   if (is_marker_source(run, curve.source)) {
     const auto stages = curve.stages == CheckStages::all ? static_cast<std::size_t>(last) : 1U;
-    result.profile = thinned(result.profile, marker_limit * (stages + 1) / 2);
+    thin(result.profile, marker_limit * (stages + 1) / 2);
   }
   return result;
 }
@@ -110,10 +112,12 @@ PlotCurve drawn(const Curve& curve, const RunOutcome& run, const CampaignOutcome
 /// The levels between layers, if all runs of the plot agree on them and they are few enough to be read.
 std::vector<double> common_interfaces(const Plot& plot, const CampaignOutcome& outcome) {
   std::set<int> numbers;
-  for (const PlotCurve& curve : plot.curves) numbers.insert(outcome.find(curve.run)->study.construction.layers);
+  for (const PlotCurve& curve : plot.curves)
+    numbers.insert(outcome.find(curve.run)->study.construction.layers);
   std::vector<double> levels;
   if (numbers.size() != 1 || *numbers.begin() > 20) return levels;
-  for (int k = 1; k < *numbers.begin(); ++k) levels.push_back(plot.top * k / *numbers.begin());
+  for (int k = 1; k < *numbers.begin(); ++k)
+    levels.push_back(plot.top * k / *numbers.begin());
   return levels;
 }
 
@@ -153,7 +157,8 @@ Plot plot_of(const RunOutcome& run, Quantity quantity, const CampaignOutcome& ou
   };
   if (run.result_of("mpm") != nullptr) add("mpm", "MPM, material points");
   if (run.result_of("fem") != nullptr) add("fem", "FEM, probes");
-  for (const auto& [name, table] : run.references) add(name, table.title.empty() ? name : table.title);
+  for (const auto& [name, table] : run.references)
+    add(name, table.title.empty() ? name : table.title);
   add("exact", "exact, finite strain (what MPM solves)");
   if (run.study.fem.kinematics == Kinematics::small && run.result_of("fem") != nullptr) {
     add("exact-fem", "exact, small strain (what FEM solves)");

@@ -18,7 +18,8 @@ std::string without_control_characters(const std::string& text) {
     const auto c = static_cast<unsigned char>(text[i]);
     if (c == 0x1b && i + 1 < text.size() && text[i + 1] == '[') {
       i += 2;
-      while (i < text.size() && std::isalpha(static_cast<unsigned char>(text[i])) == 0) ++i;
+      while (i < text.size() && std::isalpha(static_cast<unsigned char>(text[i])) == 0)
+        ++i;
       continue;
     }
     if ((c >= 0x20 && c != 0x7f) || c == '\n' || c == '\t') kept += text[i];
@@ -71,7 +72,8 @@ std::string slug(std::string_view text) {
       name += '-';
     }
   }
-  while (!name.empty() && name.back() == '-') name.pop_back();
+  while (!name.empty() && name.back() == '-')
+    name.pop_back();
   return name;
 }
 

@@ -33,7 +33,8 @@ std::string quoted(const std::string& text) {
 std::string data_block(const PlotCurve& curve, std::size_t index) {
   std::string block = fmt::format("$curve{} << END_OF_DATA\n", index);
   for (const Segment& segment : curve.profile) {
-    for (const ProfilePoint& point : segment) block += fmt::format("{:.6g} {:.6g}\n", point.value, point.height);
+    for (const ProfilePoint& point : segment)
+      block += fmt::format("{:.6g} {:.6g}\n", point.value, point.height);
     block += "\n"; // a blank line: the layers are not joined
   }
   return block + "END_OF_DATA\n";
@@ -93,8 +94,9 @@ std::string layer_lines(const Plot& plot) {
 std::string stage_labels(const Plot& plot) {
   std::string text;
   for (const StageLabel& label : plot.stage_labels) {
-    text += fmt::format("set label {} at {:.6g}, {:.6g} left offset 0.6,-0.1 font 'sans-serif,13' tc rgb '#444444' front\n",
-                        quoted(label.text), label.at.value, label.at.height);
+    text +=
+        fmt::format("set label {} at {:.6g}, {:.6g} left offset 0.6,-0.1 font 'sans-serif,13' tc rgb '#444444' front\n",
+                    quoted(label.text), label.at.value, label.at.height);
   }
   return text;
 }
@@ -103,7 +105,8 @@ std::string stage_labels(const Plot& plot) {
 
 std::string gnuplot_script(const Plot& plot) {
   std::string script = canvas(plot.curves.size()) + axes(plot) + layer_lines(plot) + stage_labels(plot);
-  for (std::size_t i = 0; i < plot.curves.size(); ++i) script += data_block(plot.curves[i], i);
+  for (std::size_t i = 0; i < plot.curves.size(); ++i)
+    script += data_block(plot.curves[i], i);
   return script + plot_command(plot);
 }
 

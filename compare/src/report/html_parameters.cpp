@@ -51,7 +51,8 @@ void append_rows(const RunOutcome& run, const document::Table& table, const json
 } // namespace
 
 Table parameter_table(const RunOutcome& run) {
-  Table rows{"Parameters, defaults filled in", {{"Key", "", false}, {"Value", "", true}, {"Meaning [unit]", "", false}}, {}};
+  Table rows{
+      "Parameters, defaults filled in", {{"Key", "", false}, {"Value", "", true}, {"Meaning [unit]", "", false}}, {}};
   append_rows(run, document::parse(exchange::to_toml(run.study), run.study.file), json::parse(exchange::case_schema()),
               "", rows);
   return rows;

@@ -1,5 +1,7 @@
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "format.hpp"
 #include "html_parts.hpp"
 #include "statistics.hpp"
@@ -15,7 +17,7 @@ std::vector<Cell> published_row(const CampaignOutcome& outcome, const Published&
   const auto shown = [&](double value) { return Cell{.text = number(form.factor * value)}; };
   if (run == nullptr) {
     std::vector<Cell> row(10, {.text = std::string(no_value)});
-    row[0] = {.text = published.label, .small_print = "the campaign has no run “" + published.run + "”"};
+    row[0] = {.text = published.label, .small_print = fmt::format("the campaign has no run “{}”", published.run)};
     row[2] = shown(published.value);
     row[9] = {.text = published.why};
     return row;
@@ -26,9 +28,9 @@ std::vector<Cell> published_row(const CampaignOutcome& outcome, const Published&
                          : measured(*run, "fem", published.statistic);
   const double exact = exact_value(*run, published.source, published.statistic);
   return {{.text = published.label,
-           .link = "#" + anchor_of(outcome, *run),
-           .small_print = form.title + (form.unit.empty() ? "" : " [" + form.unit + "]")},
-          {.text = published.run, .small_print = "by " + published.source},
+           .link = fmt::format("#{}", anchor_of(outcome, *run)),
+           .small_print = form.unit.empty() ? form.title : fmt::format("{} [{}]", form.title, form.unit)},
+          {.text = published.run, .small_print = fmt::format("by {}", published.source)},
           shown(published.value),
           shown(ours),
           shown(fem),
@@ -55,8 +57,9 @@ std::string published_html(const CampaignOutcome& outcome) {
                {"Ours − exact", "", true},
                {"Why they differ", "", false}},
               {}};
-  for (const Published& published : outcome.campaign.published) table.rows.push_back(published_row(outcome, published));
-  return kainjow::mustache::mustache(templates::published).render(data("table", html_of(table)));
+  for (const Published& published : outcome.campaign.published)
+    table.rows.push_back(published_row(outcome, published));
+  return render(templates::published, data("table", html_of(table)));
 }
 
 } // namespace settle::compare::report

@@ -27,13 +27,15 @@ data contents(const CampaignOutcome& outcome) {
 
 std::string campaign_figures(const CampaignOutcome& outcome) {
   std::string html;
-  for (const Figure& figure : outcome.campaign.figures) html += figure_html(plot_of(figure, outcome), figure.caption);
+  for (const Figure& figure : outcome.campaign.figures)
+    html += figure_html(plot_of(figure, outcome), figure.caption);
   return html;
 }
 
 std::string runs(const CampaignOutcome& outcome) {
   std::string html;
-  for (const RunOutcome& run : outcome.runs) html += run_html(outcome, run);
+  for (const RunOutcome& run : outcome.runs)
+    html += run_html(outcome, run);
   return html;
 }
 
@@ -68,7 +70,7 @@ std::string html_report(const CampaignOutcome& outcome) {
   page.set("runs", runs(outcome));
   page.set("command", printable(outcome.command));
   page.set("provenance", provenance(outcome));
-  return kainjow::mustache::mustache(templates::page).render(page);
+  return render(templates::page, page);
 }
 
 } // namespace settle::compare

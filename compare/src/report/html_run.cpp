@@ -15,7 +15,8 @@ using exchange::Quantity;
 
 data paragraphs(const std::vector<std::string>& texts) {
   data list(data::type::list);
-  for (const std::string& text : texts) list.push_back(data("text", printable(text)));
+  for (const std::string& text : texts)
+    list.push_back(data("text", printable(text)));
   return texts.empty() ? data(false) : list;
 }
 
@@ -58,7 +59,8 @@ data tails(const RunOutcome& run) {
 
 data commands(const RunOutcome& run) {
   data list(data::type::list);
-  for (const SolverRun& solver : run.solvers) list.push_back(data("command", printable(solver.command)));
+  for (const SolverRun& solver : run.solvers)
+    list.push_back(data("command", printable(solver.command)));
   return list;
 }
 
@@ -99,7 +101,7 @@ std::string run_html(const CampaignOutcome& outcome, const RunOutcome& run) {
   section.set("case_text", case_text(run));
   section.set("commands", commands(run));
   section.set("provenance", html_of(provenance_table(run)));
-  return kainjow::mustache::mustache(templates::run).render(section);
+  return render(templates::run, section);
 }
 
 } // namespace settle::compare::report

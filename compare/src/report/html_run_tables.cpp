@@ -68,19 +68,26 @@ std::vector<Cell> balance_row(const RunOutcome& run, const std::string& solver, 
 } // namespace
 
 Table solver_table(const RunOutcome& run) {
-  Table table{"Solvers", {{"Solver", "", false}, {"Status", "", false}, {"Steps", "", true}, {"Wall time", "", true},
-                          {"What happened", "", false}}, {}};
+  Table table{"Solvers",
+              {{"Solver", "", false},
+               {"Status", "", false},
+               {"Steps", "", true},
+               {"Wall time", "", true},
+               {"What happened", "", false}},
+              {}};
   for (const SolverRun& solver : run.solvers) {
     const bool finished = solver.status == SolverStatus::finished;
     std::int64_t steps = 0;
     if (solver.result) {
-      for (const Stage& stage : solver.result->stages) steps += stage.steps;
+      for (const Stage& stage : solver.result->stages)
+        steps += stage.steps;
     }
-    table.rows.push_back({{.text = solver.solver},
-                          {.text = std::string(name_of(solver.status)), .badge = finished ? "passed" : "error"},
-                          {.text = solver.result ? std::to_string(steps) : std::string(no_value)},
-                          {.text = duration(solver.wall_time)},
-                          {.text = solver.message, .small_print = solver.reused ? "an earlier result was up to date" : ""}});
+    table.rows.push_back(
+        {{.text = solver.solver},
+         {.text = std::string(name_of(solver.status)), .badge = finished ? "passed" : "error"},
+         {.text = solver.result ? std::to_string(steps) : std::string(no_value)},
+         {.text = duration(solver.wall_time)},
+         {.text = solver.message, .small_print = solver.reused ? "an earlier result was up to date" : ""}});
   }
   return table;
 }
@@ -90,8 +97,8 @@ Table key_figure_table(const RunOutcome& run) {
               {{"Quantity", "", false}, {"Unit", "", false}},
               {}};
   for (const SolverRun& solver : run.solvers) {
-    const std::string name = solver.solver == "mpm" || solver.solver == "fem" ? (solver.solver == "mpm" ? "MPM" : "FEM")
-                                                                              : solver.solver;
+    const std::string name =
+        solver.solver == "mpm" || solver.solver == "fem" ? (solver.solver == "mpm" ? "MPM" : "FEM") : solver.solver;
     table.columns.push_back({name, "", true});
     table.columns.push_back({"exact", "", true});
     table.columns.push_back({name + " − exact", "", true});
@@ -141,8 +148,9 @@ Table balance_table(const RunOutcome& run, const SolverRun& solver) {
 }
 
 Table refill_table(const exchange::Result& result) {
-  Table table{"Points added to make up for settlement, after the last stage", {{"Layer", "", false}, {"Points", "", true},
-                                                                               {"Refilled", "", true}}, {}};
+  Table table{"Points added to make up for settlement, after the last stage",
+              {{"Layer", "", false}, {"Points", "", true}, {"Refilled", "", true}},
+              {}};
   const exchange::SamplePoints& points = result.stages.back().points;
   std::map<int, std::pair<int, int>> numbers; // layer -> all, refilled
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -159,9 +167,16 @@ Table refill_table(const exchange::Result& result) {
 }
 
 Table provenance_table(const RunOutcome& run) {
-  Table table{"Provenance", {{"Solver", "", false}, {"Program", "", false}, {"Version", "", false}, {"Commit", "", false},
-                             {"Case (SHA-256)", "", false}, {"Created", "", false}, {"Threads", "", true},
-                             {"Result file", "", false}}, {}};
+  Table table{"Provenance",
+              {{"Solver", "", false},
+               {"Program", "", false},
+               {"Version", "", false},
+               {"Commit", "", false},
+               {"Case (SHA-256)", "", false},
+               {"Created", "", false},
+               {"Threads", "", true},
+               {"Result file", "", false}},
+              {}};
   for (const SolverRun& solver : run.solvers) {
     if (!solver.result) continue;
     const exchange::Provenance& from = solver.result->provenance;

@@ -28,15 +28,19 @@ data data_of(const Cell& cell, const Column& column, bool heading) {
 
 } // namespace
 
-data text_or_nothing(const std::string& text) { return text.empty() ? data(false) : data(printable(text)); }
+data text_or_nothing(const std::string& text) {
+  return text.empty() ? data(false) : data(printable(text));
+}
 
 data data_of(const Table& table) {
   data columns(data::type::list);
-  for (const Column& column : table.columns) columns.push_back(data_of(column));
+  for (const Column& column : table.columns)
+    columns.push_back(data_of(column));
   data rows(data::type::list);
   for (const std::vector<Cell>& row : table.rows) {
     data cells(data::type::list);
-    for (std::size_t i = 0; i < row.size(); ++i) cells.push_back(data_of(row[i], table.columns[i], i == 0));
+    for (std::size_t i = 0; i < row.size(); ++i)
+      cells.push_back(data_of(row[i], table.columns[i], i == 0));
     rows.push_back(data("cells", cells));
   }
   data entry;
@@ -46,7 +50,9 @@ data data_of(const Table& table) {
   return entry;
 }
 
-std::string html_of(const Table& table) { return kainjow::mustache::mustache(templates::table).render(data_of(table)); }
+std::string html_of(const Table& table) {
+  return render(templates::table, data_of(table));
+}
 
 std::string status_text(Status status) {
   const std::string word(name_of(status));
@@ -63,6 +69,8 @@ std::string status_text(Status status) {
   return word;
 }
 
-Cell status_cell(Status status) { return {.text = status_text(status), .badge = std::string(name_of(status))}; }
+Cell status_cell(Status status) {
+  return {.text = status_text(status), .badge = std::string(name_of(status))};
+}
 
 } // namespace settle::compare::report

@@ -13,6 +13,9 @@ namespace settle::compare::report {
 
 using kainjow::mustache::data;
 
+/// A template with its values filled in. What stands in text is escaped, unless the template says otherwise.
+std::string render(const char* text, const data& values);
+
 struct Column {
   std::string title;
   std::string unit;     ///< shown smaller, beside the title
@@ -21,8 +24,8 @@ struct Column {
 
 struct Cell {
   std::string text;
-  std::string badge = "";      ///< class of a badge around the text; none if empty
-  std::string link = "";       ///< an address in the page; none if empty
+  std::string badge = "";       ///< class of a badge around the text; none if empty
+  std::string link = "";        ///< an address in the page; none if empty
   std::string small_print = ""; ///< a second, quieter line
 };
 

@@ -16,8 +16,13 @@ namespace {
 constexpr std::size_t foldable = 12; // so many passed verdicts are shown without being asked for
 
 std::vector<Column> verdict_columns() {
-  return {{"Status", "", false},        {"Run", "", false},   {"What", "", false},   {"Value", "", true},
-          {"Accepted", "", true}, {"Margin", "", true}, {"Why, and what happened", "", false}};
+  return {{"Status", "", false},
+          {"Run", "", false},
+          {"What", "", false},
+          {"Value", "", true},
+          {"Accepted", "", true},
+          {"Margin", "", true},
+          {"Why, and what happened", "", false}};
 }
 
 std::vector<Cell> verdict_row(const CampaignOutcome& outcome, const Verdict& verdict) {
@@ -26,24 +31,27 @@ std::vector<Cell> verdict_row(const CampaignOutcome& outcome, const Verdict& ver
   const double left = margin(verdict);
   const std::string reason = verdict.message.empty() ? verdict.why : verdict.message;
   const std::string second = verdict.message.empty() ? "" : verdict.why;
-  return {status_cell(verdict.status),
-          {.text = verdict.run, .link = "#" + anchor_of(outcome, *outcome.find(verdict.run))},
-          {.text = verdict.what, .small_print = verdict.scale.empty() ? "" : "relative to " + verdict.scale},
-          {.text = value},
-          {.text = band},
-          {.text = std::isfinite(left) ? fmt::format("{:.0f} %", 100.0 * left) : ""},
-          {.text = reason, .small_print = second}};
+  return {
+      status_cell(verdict.status),
+      {.text = verdict.run, .link = fmt::format("#{}", anchor_of(outcome, *outcome.find(verdict.run)))},
+      {.text = verdict.what, .small_print = verdict.scale.empty() ? "" : fmt::format("relative to {}", verdict.scale)},
+      {.text = value},
+      {.text = band},
+      {.text = std::isfinite(left) ? fmt::format("{:.0f} %", 100.0 * left) : ""},
+      {.text = reason, .small_print = second}};
 }
 
 std::string verdict_list(const CampaignOutcome& outcome, const std::vector<Verdict>& verdicts, std::string caption) {
   Table table{std::move(caption), verdict_columns(), {}};
-  for (const Verdict& verdict : verdicts) table.rows.push_back(verdict_row(outcome, verdict));
+  for (const Verdict& verdict : verdicts)
+    table.rows.push_back(verdict_row(outcome, verdict));
   return html_of(table);
 }
 
 double wall_time(const RunOutcome& run) {
   double sum = 0.0;
-  for (const SolverRun& solver : run.solvers) sum += solver.wall_time;
+  for (const SolverRun& solver : run.solvers)
+    sum += solver.wall_time;
   return sum;
 }
 
@@ -58,7 +66,7 @@ Cell against_exact(const RunOutcome& run, const std::string& source, Statistic s
 std::vector<Cell> overview_row(const CampaignOutcome& outcome, const RunOutcome& run) {
   const std::vector<Verdict> verdicts = reported_verdicts(run);
   const std::string remark = out_of_equilibrium(run).empty() ? "" : "out of equilibrium";
-  return {{.text = run.name, .link = "#" + anchor_of(outcome, run), .small_print = remark},
+  return {{.text = run.name, .link = fmt::format("#{}", anchor_of(outcome, run)), .small_print = remark},
           status_cell(worst(verdicts)),
           {.text = fmt::format("{} of {}", count(verdicts).at(Status::passed), verdicts.size())},
           against_exact(run, "mpm", Statistic::max_settlement),
@@ -87,22 +95,24 @@ std::string verdicts_html(const CampaignOutcome& outcome) {
   page.set("passed", passed.empty() ? data(false) : data(verdict_list(outcome, passed, "Verdicts that passed")));
   page.set("passed_count", std::to_string(passed.size()));
   page.set("unfolded", passed.size() <= foldable);
-  return kainjow::mustache::mustache(templates::verdicts).render(page);
+  return render(templates::verdicts, page);
 }
 
 std::string overview_html(const CampaignOutcome& outcome) {
-  Table table{"The runs at their last stage; below each number its difference from the exact solution of the same model",
-              {{"Run", "", false},
-               {"Status", "", false},
-               {"Passed", "", true},
-               {"MPM settlement", "m", true},
-               {"MPM stress", "kPa", true},
-               {"MPM density", "kg/m³", true},
-               {"FEM settlement", "m", true},
-               {"FEM stress", "kPa", true},
-               {"Solvers' time", "", true}},
-              {}};
-  for (const RunOutcome& run : outcome.runs) table.rows.push_back(overview_row(outcome, run));
+  Table table{
+      "The runs at their last stage; below each number its difference from the exact solution of the same model",
+      {{"Run", "", false},
+       {"Status", "", false},
+       {"Passed", "", true},
+       {"MPM settlement", "m", true},
+       {"MPM stress", "kPa", true},
+       {"MPM density", "kg/m³", true},
+       {"FEM settlement", "m", true},
+       {"FEM stress", "kPa", true},
+       {"Solvers' time", "", true}},
+      {}};
+  for (const RunOutcome& run : outcome.runs)
+    table.rows.push_back(overview_row(outcome, run));
   return html_of(table);
 }
 

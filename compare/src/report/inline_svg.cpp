@@ -28,7 +28,8 @@ void for_each_element(xml_node node, const Visit& visit) {
 }
 
 void remove_children(xml_node node, const char* name) {
-  while (node.child(name)) node.remove_child(name);
+  while (node.child(name))
+    node.remove_child(name);
 }
 
 /// gnuplot opens a group for every pen it picks up: most draw nothing.
@@ -70,8 +71,10 @@ std::string compact(std::string text) {
   for (std::size_t at = 0; (at = text.find(".00", at)) != std::string::npos;) {
     const std::size_t after = at + 3;
     const bool ends = after == text.size() || std::string_view(" ,)").find(text[after]) != std::string_view::npos;
-    if (ends) text.erase(at, 3);
-    else at = after;
+    if (ends)
+      text.erase(at, 3);
+    else
+      at = after;
   }
   std::string result;
   std::unique_copy(text.begin(), text.end(), std::back_inserter(result),
@@ -100,7 +103,8 @@ void share_colours(xml_node svg) {
     for (xml_node use : group.children("use")) {
       if (use.attribute("color").value() != colour) return;
     }
-    for (xml_node use : group.children("use")) use.remove_attribute("color");
+    for (xml_node use : group.children("use"))
+      use.remove_attribute("color");
     xml_attribute shared = group.attribute("color");
     (shared ? shared : group.append_attribute("color")).set_value(colour.c_str());
   });

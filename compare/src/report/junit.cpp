@@ -58,7 +58,8 @@ void append_test(pugi::xml_node suite, const Verdict& verdict) {
 
 double wall_time(const RunOutcome& run) {
   double sum = 0.0;
-  for (const SolverRun& solver : run.solvers) sum += solver.wall_time;
+  for (const SolverRun& solver : run.solvers)
+    sum += solver.wall_time;
   return sum;
 }
 
@@ -75,7 +76,8 @@ std::string junit_xml(const CampaignOutcome& outcome) {
     set(suite, "name", run.name);
     set_counts(suite, verdicts);
     set(suite, "time", fmt::format("{:.3f}", wall_time(run)));
-    for (const Verdict& verdict : verdicts) append_test(suite, verdict);
+    for (const Verdict& verdict : verdicts)
+      append_test(suite, verdict);
   }
   std::ostringstream text;
   document.save(text, "  ");

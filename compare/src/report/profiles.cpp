@@ -43,11 +43,12 @@ const exchange::Stage& stage_of(const exchange::Result& result, int stage) {
   return result.stages.at(static_cast<std::size_t>(stage - 1));
 }
 
-Segment thinned_segment(const Segment& segment, std::size_t limit) {
-  if (segment.size() <= limit) return segment;
-  Segment kept;
-  for (std::size_t k = 0; k < limit; ++k) kept.push_back(segment[k * (segment.size() - 1) / (limit - 1)]);
-  return kept;
+/// Keeps `limit` points of a segment, evenly chosen, both ends among them.
+void thin(Segment& segment, std::size_t limit) {
+  if (segment.size() <= limit) return;
+  for (std::size_t k = 0; k < limit; ++k)
+    segment[k] = segment[k * (segment.size() - 1) / (limit - 1)];
+  segment.resize(limit);
 }
 
 } // namespace
@@ -70,7 +71,9 @@ Axis axis_of(Quantity quantity) {
   return {};
 }
 
-bool has_profile(Quantity quantity) { return is_field(quantity) || quantity == Quantity::density; }
+bool has_profile(Quantity quantity) {
+  return is_field(quantity) || quantity == Quantity::density;
+}
 
 Profile native_profile(const Case& study, const exchange::Result& result, Quantity quantity, int stage) {
   const exchange::Stage& state = stage_of(result, stage);
@@ -117,12 +120,11 @@ Profile reference_profile(const Case& study, const ReferenceTable& table, Quanti
   return profile_of(samples, study, quantity);
 }
 
-Profile thinned(const Profile& profile, std::size_t limit) {
-  if (profile.empty()) return profile;
+void thin(Profile& profile, std::size_t limit) {
+  if (profile.empty()) return;
   const std::size_t each = std::max<std::size_t>(2, limit / profile.size());
-  Profile kept;
-  for (const Segment& segment : profile) kept.push_back(thinned_segment(segment, each));
-  return kept;
+  for (Segment& segment : profile)
+    thin(segment, each);
 }
 
 } // namespace settle::compare::report

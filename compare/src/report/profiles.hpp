@@ -30,11 +30,13 @@ Axis axis_of(exchange::Quantity quantity);
 /// Can this quantity be drawn over the height?
 bool has_profile(exchange::Quantity quantity);
 
-/// What a solver's own sample points say at the end of a stage: refilled points left out, points at one height averaged.
+/// What a solver's own sample points say at the end of a stage: refilled points left out, points at one height
+/// averaged.
 Profile native_profile(const exchange::Case& study, const exchange::Result& result, exchange::Quantity quantity,
                        int stage);
 /// The same at the probes; empty where there is none or the quantity is not sampled there.
-Profile probe_profile(const exchange::Case& study, const exchange::Result& result, exchange::Quantity quantity, int stage);
+Profile probe_profile(const exchange::Case& study, const exchange::Result& result, exchange::Quantity quantity,
+                      int stage);
 /// The exact solution, densely sampled.
 Profile exact_profile(const exchange::Case& study, exchange::Kinematics kinematics, exchange::Quantity quantity,
                       int stage);
@@ -44,7 +46,7 @@ Profile equation_1_profile(const exchange::Case& study, double density);
 Profile reference_profile(const exchange::Case& study, const ReferenceTable& table, exchange::Quantity quantity,
                           int stage);
 
-/// At most `limit` points in all, evenly chosen; both ends of every segment stay.
-Profile thinned(const Profile& profile, std::size_t limit);
+/// Keeps about `limit` points in all, evenly chosen; both ends of every segment stay.
+void thin(Profile& profile, std::size_t limit);
 
 } // namespace settle::compare::report

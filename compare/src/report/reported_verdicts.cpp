@@ -74,7 +74,8 @@ std::vector<Verdict> worst_first(std::vector<Verdict> verdicts) {
 
 std::map<Status, int> count(const std::vector<Verdict>& verdicts) {
   std::map<Status, int> counts{{Status::passed, 0}, {Status::failed, 0}, {Status::missing, 0}, {Status::error, 0}};
-  for (const Verdict& verdict : verdicts) ++counts[verdict.status];
+  for (const Verdict& verdict : verdicts)
+    ++counts[verdict.status];
   return counts;
 }
 

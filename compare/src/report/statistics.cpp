@@ -36,7 +36,8 @@ double largest_value(const Result& result, const std::string& source, Quantity q
 
 double total_volume(const exchange::SamplePoints& points) {
   double sum = 0.0;
-  for (const double volume : points.volume) sum += volume;
+  for (const double volume : points.volume)
+    sum += volume;
   return sum;
 }
 

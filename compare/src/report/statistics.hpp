@@ -14,8 +14,8 @@ struct StatisticForm {
 };
 StatisticForm form_of(Statistic statistic);
 
-/// What a solver's result says at its last stage [SI, stresses compression positive]; NaN where there is no result, or a
-/// source that has no such number. Settlement and stress: the largest over the solver's own points that were not
+/// What a solver's result says at its last stage [SI, stresses compression positive]; NaN where there is no result, or
+/// a source that has no such number. Settlement and stress: the largest over the solver's own points that were not
 /// refilled, and for solvers other than MPM over its probes too.
 double measured(const RunOutcome& run, const std::string& source, Statistic statistic);
 

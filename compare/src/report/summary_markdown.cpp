@@ -35,7 +35,8 @@ std::string cell(const std::string& text) {
 }
 
 std::string problems(const std::vector<Verdict>& verdicts) {
-  std::string text = "## Did not pass\n\n| status | run | what | value | accepted | reason |\n|---|---|---|---:|---:|---|\n";
+  std::string text =
+      "## Did not pass\n\n| status | run | what | value | accepted | reason |\n|---|---|---|---:|---:|---|\n";
   std::size_t listed = 0, left = 0;
   for (const Verdict& verdict : worst_first(verdicts)) {
     if (verdict.status == Status::passed) break;
@@ -66,11 +67,11 @@ std::string key_figures(const CampaignOutcome& outcome) {
                      "| FEM settlement [m] | FEM stress [kPa] |\n|---|---|---:|---:|---:|---:|---:|\n";
   for (const RunOutcome& run : outcome.runs) {
     const std::string remark = out_of_equilibrium(run).empty() ? "" : " — out of equilibrium";
-    text += fmt::format("| {}{} | {} | {} | {} | {} | {} | {} |\n", cell(run.name), remark,
-                        count_text(count(reported_verdicts(run))), figure(run, "mpm", Statistic::max_settlement),
-                        figure(run, "mpm", Statistic::max_vertical_stress), figure(run, "mpm", Statistic::mean_density),
-                        figure(run, "fem", Statistic::max_settlement),
-                        figure(run, "fem", Statistic::max_vertical_stress));
+    text +=
+        fmt::format("| {}{} | {} | {} | {} | {} | {} | {} |\n", cell(run.name), remark,
+                    count_text(count(reported_verdicts(run))), figure(run, "mpm", Statistic::max_settlement),
+                    figure(run, "mpm", Statistic::max_vertical_stress), figure(run, "mpm", Statistic::mean_density),
+                    figure(run, "fem", Statistic::max_settlement), figure(run, "fem", Statistic::max_vertical_stress));
   }
   return text;
 }

@@ -10,9 +10,15 @@ namespace {
 using nlohmann::ordered_json;
 
 ordered_json to_json(const Verdict& verdict) {
-  return {{"status", name_of(verdict.status)}, {"run", verdict.run},           {"kind", verdict.kind},
-          {"what", verdict.what},              {"value", verdict.value},       {"at_least", verdict.at_least},
-          {"limit", verdict.limit},            {"scale", verdict.scale},       {"why", verdict.why},
+  return {{"status", name_of(verdict.status)},
+          {"run", verdict.run},
+          {"kind", verdict.kind},
+          {"what", verdict.what},
+          {"value", verdict.value},
+          {"at_least", verdict.at_least},
+          {"limit", verdict.limit},
+          {"scale", verdict.scale},
+          {"why", verdict.why},
           {"message", report::printable(verdict.message)}};
 }
 
@@ -21,9 +27,11 @@ ordered_json to_json(const Verdict& verdict) {
 std::string verdicts_json(const CampaignOutcome& outcome) {
   const std::vector<Verdict> verdicts = report::all_verdicts(outcome);
   ordered_json counts;
-  for (const auto& [status, number] : report::count(verdicts)) counts[std::string(name_of(status))] = number;
+  for (const auto& [status, number] : report::count(verdicts))
+    counts[std::string(name_of(status))] = number;
   ordered_json list = ordered_json::array();
-  for (const Verdict& verdict : verdicts) list.push_back(to_json(verdict));
+  for (const Verdict& verdict : verdicts)
+    list.push_back(to_json(verdict));
   const ordered_json document{{"format", "settle-verdicts"},
                               {"campaign", outcome.campaign.title},
                               {"program_version", outcome.program_version},
