@@ -11,7 +11,7 @@
 #include <fmt/format.h>
 
 #include "mesh.hpp"
-#include "sampling.hpp"
+#include "recovery.hpp"
 #include "settle/exchange/errors.hpp"
 
 namespace settle::fem {

@@ -1,11 +1,10 @@
 #include "settle/fem/solver.hpp"
 
 #include <chrono>
+#include <vector>
 
 #include <fmt/format.h>
 
-#include "cell_terms.hpp"
-#include "mesh.hpp"
 #include "pictures.hpp"
 #include "sampling.hpp"
 #include "settle/exchange/errors.hpp"
@@ -29,6 +28,7 @@ using Clock = std::chrono::steady_clock;
 
 /// What the increments of one stage add up to.
 struct Ramp {
+  Clock::time_point start = Clock::now();
   int increments = 0;
   unsigned linear_solves = 0;
   Equilibrium last;
@@ -39,6 +39,14 @@ struct Ramp {
     last = std::move(equilibrium);
   }
 };
+
+/// The factors of the gravity ramp: equal steps, the last is 1.
+std::vector<double> gravity_factors(int increments) {
+  std::vector<double> factors;
+  for (int i = 1; i <= increments; ++i)
+    factors.push_back(static_cast<double>(i) / increments);
+  return factors;
+}
 
 exchange::NotConverged not_converged(const exchange::Case& study, int layer, double factor,
                                      const Equilibrium& equilibrium) {
@@ -69,30 +77,20 @@ public:
     std::optional<PictureSeries<dim>> series;
     if (pictures) series.emplace(*pictures);
     for (int layer = 1; layer <= study_.construction.layers; ++layer) {
-      const Clock::time_point start = Clock::now();
+      Ramp ramp;
       problem_.activate(layer);
-      const Ramp ramp = ramp_gravity(layer);
-      exchange::Stage stage = report(layer, ramp);
-      stage.wall_time = std::chrono::duration<double>(Clock::now() - start).count();
-      on_stage(stage);
+      for (const double factor : gravity_factors(study_.fem.increments.value_or(1))) {
+        Equilibrium equilibrium = problem_.solve(factor);
+        if (!equilibrium.reached()) throw not_converged(study_, layer, factor, equilibrium);
+        problem_.accept();
+        ramp.add(std::move(equilibrium));
+      }
+      on_stage(report(layer, ramp));
       if (series) series->add(problem_, layer);
     }
   }
 
 private:
-  Ramp ramp_gravity(int layer) {
-    const int increments = study_.fem.increments.value_or(1);
-    Ramp ramp;
-    for (int i = 1; i <= increments; ++i) {
-      const double factor = static_cast<double>(i) / increments;
-      Equilibrium equilibrium = problem_.solve(factor);
-      if (!equilibrium.reached()) throw not_converged(study_, layer, factor, equilibrium);
-      problem_.accept();
-      ramp.add(std::move(equilibrium));
-    }
-    return ramp;
-  }
-
   [[nodiscard]] exchange::Stage report(int layer, const Ramp& ramp) const {
     exchange::Stage stage;
     stage.layer = layer;
@@ -110,6 +108,7 @@ private:
     }
     stage.weight = stage.mass * problem_.gravity();
     stage.surface_height = layer * study_.layer_thickness();
+    stage.wall_time = std::chrono::duration<double>(Clock::now() - ramp.start).count();
     return stage;
   }
 

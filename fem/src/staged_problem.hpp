@@ -24,7 +24,7 @@ namespace settle::fem {
 struct Equilibrium {
   std::vector<double> residuals; ///< |unbalanced force| / |external force| at free degrees of freedom, before each
                                  ///< solve and after the last [-]
-  double base_reaction = 0; ///< positive upward [N/m or N]
+  double base_reaction = 0;      ///< positive upward [N/m or N]
 
   [[nodiscard]] double out_of_balance() const { return residuals.back(); }
   [[nodiscard]] unsigned linear_solves() const { return static_cast<unsigned>(residuals.size()) - 1; }

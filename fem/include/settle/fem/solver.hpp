@@ -18,8 +18,7 @@ using StageSink = std::function<void(const exchange::Stage&)>;
 /// Staged construction with linear elasticity at small strain (docs/fem.md).
 class Solver {
 public:
-  /// Makes the mesh. Throws InputError where this solver cannot run the case (see requirements.hpp) or where a probe
-  /// lies outside the domain.
+  /// Makes the mesh. Throws InputError where this solver cannot run the case (see requirements.hpp).
   explicit Solver(const exchange::Case& study);
   ~Solver();
   Solver(Solver&&) noexcept;
