@@ -53,8 +53,10 @@ void ListCodec<M>::read(const Given& given, std::vector<M>& member, Reading& rea
     return;
   }
   member.clear();
-  for (const Value& item : *list)
-    item_->read({item, fmt::format("{}.{}", given.path, member.size())}, member.emplace_back(), reading);
+  for (const Value& item : *list) {
+    const std::string path = fmt::format("{}.{}", given.path, member.size());
+    item_->read({item, path}, member.emplace_back(), reading);
+  }
 }
 
 template <class M>
