@@ -26,7 +26,6 @@ void add_points(const ExactColumn& exact, int layer, int stage, int count, doubl
     points.displacement.insert(points.displacement.end(), {0.0, -(1.0 + error) * state.settlement});
     points.stress.insert(points.stress.end(), {state.lateral_stress, sigma, state.lateral_stress, 0.0, 0.0, 0.0});
     points.density.push_back(state.density);
-    points.volume.push_back(1e-3);
   }
 }
 
@@ -64,6 +63,8 @@ exchange::Stage stage_of(const Case& study, const ExactColumn& exact, int number
     add_points(exact, layer, number, points, error, stage.points);
     add_probes(study, exact, layer, number, error, stage.probes["axis"]);
   }
+  const double volume = stage.mass / exact.mean_density(number); // of all points, so that their mean density is exact
+  stage.points.volume.assign(stage.points.size(), volume / static_cast<double>(stage.points.size()));
   return stage;
 }
 

@@ -27,8 +27,12 @@ data contents(const CampaignOutcome& outcome) {
 
 std::string campaign_figures(const CampaignOutcome& outcome) {
   std::string html;
-  for (const Figure& figure : outcome.campaign.figures)
-    html += figure_html(plot_of(figure, outcome), figure.caption);
+  int number = 0;
+  for (const Figure& figure : outcome.campaign.figures) {
+    Plot plot = plot_of(figure, outcome);
+    plot.id = fmt::format("fig-{}-{}", ++number, slug(figure.name)); // names may differ in signs only
+    html += figure_html(plot, figure.caption);
+  }
   return html;
 }
 
