@@ -1,0 +1,100 @@
+#include "settle/exchange/solver_program.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <iostream>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "settle/exchange/case_io.hpp"
+#include "settle/exchange/program.hpp"
+#include "settle/exchange/result_io.hpp"
+#include "settle/exchange/xdmf.hpp"
+
+namespace settle::exchange {
+
+namespace {
+
+struct Arguments {
+  std::string study;
+  std::string out;
+  std::vector<std::string> overrides;
+  bool check = false;
+  bool quiet = false;
+};
+
+void declare(CLI::App& app, Arguments& arguments, const SolverProgram& program) {
+  app.add_option("CASE", arguments.study, "case file (TOML)")->required();
+  CLI::Option* out = app.add_option("--out", arguments.out, "result file to write (HDF5)");
+  app.add_option("--set", arguments.overrides, "override a key of the case, as key=value; may be repeated")->take_all();
+  app.add_flag("--check", arguments.check, "only check that the case can be run")->excludes(out);
+  app.add_flag("--quiet", arguments.quiet, "no progress");
+  app.set_version_flag("--version", fmt::format("{} {} (commit {}, {})", program.name, program_version(),
+                                                program_commit(), program.libraries));
+  if (program.declare_options) program.declare_options(app);
+}
+
+double largest_settlement(const Stage& stage, int dimension) {
+  const auto dim = static_cast<std::size_t>(dimension);
+  double largest = 0.0;
+  for (std::size_t i = 0; i < stage.points.size(); ++i)
+    largest = std::max(largest, -stage.points.displacement[i * dim + dim - 1]);
+  return largest;
+}
+
+void print_progress(const Case& study, const Stage& stage) {
+  std::cout << fmt::format("layer {:3} of {}: {:6} steps, largest settlement {:.5f} m, base reaction/weight {:.9f}, "
+                           "refilled {:.3f} of {:.3f} kg{}{}",
+                           stage.layer, study.construction.layers, stage.steps,
+                           largest_settlement(stage, study.geometry.dimension), stage.base_reaction / stage.weight,
+                           stage.mass_refilled, stage.mass, study.geometry.dimension == 2 ? "/m" : "",
+                           stage.in_equilibrium ? "" : ", NOT in equilibrium")
+            << std::endl;
+}
+
+void solve(const SolverProgram& program, const Case& study, const Arguments& arguments) {
+  const auto start = std::chrono::steady_clock::now();
+  ResultWriter writer(arguments.out, study, program.name, program.used(study));
+  XdmfIndex index(arguments.out, study.geometry.dimension);
+  program.solve(study, [&](const Stage& stage) {
+    writer.write(stage);
+    index.add(stage);
+    if (!arguments.quiet) print_progress(study, stage);
+  });
+  writer.finish(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), 1);
+  index.write();
+}
+
+ExitCode run(const SolverProgram& program, const Arguments& arguments) {
+  if (!arguments.check && arguments.out.empty())
+    throw InputError({.where = "--out",
+                      .what = "the result file is not given",
+                      .given = "",
+                      .allowed = "--out RESULT.h5",
+                      .remedy = "name a file, or use --check to run nothing"});
+  const Case study = read_case(arguments.study, arguments.overrides);
+  const std::string summary = program.check(study);
+  if (arguments.check)
+    std::cout << fmt::format("{}: {} can run this case: {}\n", study.file, program.name, summary);
+  else
+    solve(program, study, arguments);
+  return ExitCode::success;
+}
+
+} // namespace
+
+int run_solver(const SolverProgram& program, int argc, char** argv) {
+  CLI::App app(program.description, program.name);
+  Arguments arguments;
+  declare(app, arguments, program);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& end) {
+    return app.exit(end) == 0 ? 0 : static_cast<int>(ExitCode::bad_input); // help and version end here too, with 0
+  }
+  return run_program(program.name, [&] { return run(program, arguments); });
+}
+
+} // namespace settle::exchange

@@ -1,0 +1,28 @@
+/// \file
+/// Which points are in which cell.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "settle/mpm/points.hpp"
+
+namespace settle::mpm {
+
+/// Ranges of the sorted points by cell.
+struct CellTable {
+  std::vector<std::uint32_t> begin;   ///< (cells + 1): the points of cell c are begin[c] ... begin[c + 1] - 1
+  std::vector<std::int32_t> occupied; ///< cells with at least one point, in ascending order
+
+  [[nodiscard]] bool is_empty(int cell) const {
+    const auto c = static_cast<std::size_t>(cell);
+    return begin[c] == begin[c + 1];
+  }
+};
+
+/// Finds the cell of every point and, where a point is new or has changed its cell, sorts the points by cell (counting
+/// sort, stable: the same points give the same order). Throws PointLost.
+template <class Grid>
+void sort_by_cell(const Grid& grid, Points<Grid::dim>& points, CellTable& table);
+
+} // namespace settle::mpm

@@ -1,0 +1,37 @@
+/// \file
+/// Loading one stage: the gravity of the layer just placed grows from nothing to full, and the body is refilled.
+#pragma once
+
+#include <cstdint>
+
+#include "settle/mpm/body.hpp"
+#include "settle/mpm/refill.hpp"
+
+namespace settle::mpm {
+
+/// What a stage is loaded with.
+struct StageLoad {
+  int layer = 1;
+  double gravity = 9.81; ///< [m/s2]
+  Refill refill;
+};
+
+/// How a stage ended.
+struct StageReport {
+  std::int64_t steps = 0;
+  std::int64_t linear_solves = 0;
+  double out_of_balance = 0; ///< of the last converged increment or step [-]
+  double base_reaction = 0;  ///< of the last converged increment or step [N/m]
+  bool in_equilibrium = false;
+};
+
+/// Quasi-static: gravity in equal increments, each solved to equilibrium; an increment that does not converge is halved
+/// and tried again. The stage ends with an increment at full gravity after which nothing is refilled. Throws
+/// exchange::NotConverged with the residuals, PointLost.
+StageReport load_quasi_static(Body<TriangleGrid>& body, const StageLoad& load, const exchange::QuasiStatic& settings);
+
+/// Explicit: gravity ramps over `ramp_time`, then the body is held until both errors are met (or for `hold`); the hold
+/// starts again whenever a point is added. Throws exchange::NotConverged when `max_hold_time` is over, PointLost.
+StageReport load_explicit(Body<TriangleGrid>& body, const StageLoad& load, const exchange::ExplicitDynamic& settings);
+
+} // namespace settle::mpm

@@ -1,0 +1,33 @@
+/// \file
+/// Forces between points and nodes that both schemes need.
+#pragma once
+
+#include "settle/mpm/body.hpp"
+
+namespace settle::mpm {
+
+/// Weight of the points at the nodes, gravity factors applied; (dim * nodes), direction fastest [N/m] in 2-D.
+template <class Grid>
+Eigen::VectorXd external_forces(const Body<Grid>& body, const Gravity& gravity);
+
+/// What the base carries, positive upward: internal minus external force over the vertically fixed nodes [N/m] in 2-D.
+template <class Grid>
+double base_reaction(const Body<Grid>& body, const Eigen::VectorXd& internal, const Eigen::VectorXd& external) {
+  constexpr int dim = Grid::dim;
+  double reaction = 0;
+  for (std::size_t node = 0; node < body.fixed.size(); ++node) {
+    const auto vertical = static_cast<Eigen::Index>(dim * node + dim - 1);
+    if (body.fixed[node][dim - 1]) reaction += internal[vertical] - external[vertical];
+  }
+  return reaction;
+}
+
+/// Adds an increment of stress to point p.
+inline void add_stress(Points<2>& points, std::size_t p, const Stress<2>& increment) {
+  points.stress[0][p] += increment.tensor(0, 0);
+  points.stress[1][p] += increment.tensor(1, 1);
+  points.stress[2][p] += increment.out_of_plane;
+  points.stress[3][p] += increment.tensor(0, 1);
+}
+
+} // namespace settle::mpm

@@ -1,0 +1,68 @@
+/// \file
+/// Material points as a structure of arrays, kept sorted by cell.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace settle::mpm {
+
+template <int dim>
+using Vector = Eigen::Matrix<double, dim, 1>;
+template <int dim>
+using Tensor = Eigen::Matrix<double, dim, dim>;
+
+/// One entry for each axis.
+template <class T, int dim>
+using PerAxis = std::array<T, static_cast<std::size_t>(dim)>;
+
+/// Stored components of the Cauchy stress: xx yy zz xy in plane strain, xx yy zz xy yz xz in 3-D.
+template <int dim>
+inline constexpr std::size_t stress_size = dim == 2 ? 4 : 6;
+
+/// What a new point is made of. Stress and velocity of a new point are zero.
+template <int dim>
+struct NewPoint {
+  int layer = 1;
+  bool refilled = false;
+  Vector<dim> position = Vector<dim>::Zero(); ///< where it is placed [m]
+  double volume = 0;                          ///< [m3/m] in 2-D
+  double density = 0;                         ///< [kg/m3]
+};
+
+/// n material points. Every array has n entries; the points of a cell are contiguous after `sort_by_cell`.
+template <int dim>
+struct Points {
+  std::vector<std::uint64_t> id;  ///< stays with the point; numbered in order of placement from 1
+  std::vector<std::int32_t> cell; ///< of the grid, as of the last sort; -1 for a point not sorted in yet
+  std::vector<std::int32_t> layer;
+  std::vector<std::uint8_t> refilled;
+  std::vector<double> mass;   ///< [kg/m] in 2-D
+  std::vector<double> volume; ///< current [m3/m] in 2-D
+  PerAxis<std::vector<double>, dim> position;
+  PerAxis<std::vector<double>, dim> placed; ///< position at placement [m]
+  PerAxis<std::vector<double>, dim> velocity;
+  std::array<std::vector<double>, stress_size<dim>> stress; ///< Cauchy, tension positive [Pa]
+  std::uint64_t next_id = 1;
+
+  [[nodiscard]] std::size_t size() const { return id.size(); }
+  [[nodiscard]] double density(std::size_t p) const { return mass[p] / volume[p]; }
+  [[nodiscard]] Vector<dim> position_of(std::size_t p) const {
+    Vector<dim> x;
+    for (int c = 0; c < dim; ++c)
+      x[c] = position[static_cast<std::size_t>(c)][p];
+    return x;
+  }
+
+  /// Appends a stress-free point at rest.
+  void add(const NewPoint<dim>& point);
+  /// Brings the points into the order given: new point i is old point order[i].
+  void permute(const std::vector<std::uint32_t>& order);
+};
+
+extern template struct Points<2>;
+
+} // namespace settle::mpm

@@ -1,0 +1,45 @@
+/// \file
+/// One implicit, quasi-static increment: Newton on the nodes' displacements, then points are moved.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "settle/mpm/body.hpp"
+
+namespace settle::mpm {
+
+/// What an increment did.
+struct IncrementReport {
+  bool converged = false;
+  int linear_solves = 0;
+  double out_of_balance = 0;       ///< free nodes' unbalanced force over all external forces, Euclidean norms [-]
+  double base_reaction = 0;        ///< positive upward [N/m] in 2-D
+  double largest_displacement = 0; ///< of a node in this increment [m]
+  std::vector<double> residuals;   ///< out of balance before each linear solve and at the end
+};
+
+/// Equilibrium at the end of the increment, on the grid as it deforms in the increment (updated Lagrangian): for every
+/// free node  sum_c V_c J sigma_c F^-T grad N = sum_p N m g,  with sigma_c the cell's average stress plus D : e, e the
+/// increment of strain with respect to the configuration half way, F the increment's deformation gradient, and V_c by
+/// `StressIntegration`. The tangent is its exact derivative (unsymmetric). Eigen's SparseLU; the symbolic analysis is
+/// kept while the same nodes are active.
+template <class Grid>
+class QuasiStaticStep {
+public:
+  /// `tolerance`: relative out-of-balance force at which an increment has converged.
+  explicit QuasiStaticStep(double tolerance);
+  QuasiStaticStep(QuasiStaticStep&&) noexcept;
+  ~QuasiStaticStep();
+
+  /// Balances `fraction` of what is out of balance between the body's stresses and gravity. The body moves only if the
+  /// Newton iteration converges; then its points are moved and sorted. Throws PointLost.
+  IncrementReport advance(Body<Grid>& body, const Gravity& gravity, double fraction = 1.0);
+
+private:
+  struct System;
+  std::unique_ptr<System> system_;
+  double tolerance_;
+};
+
+} // namespace settle::mpm

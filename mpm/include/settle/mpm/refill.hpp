@@ -1,0 +1,31 @@
+/// \file
+/// Refill: keeping the surface at the design level while a layer settles.
+#pragma once
+
+#include <optional>
+
+#include "settle/exchange/case.hpp"
+#include "settle/mpm/body.hpp"
+
+namespace settle::mpm {
+
+/// How the layer under construction is refilled.
+struct Refill {
+  std::optional<exchange::RefillRule> rule; ///< nothing: not at all
+  int layer = 1;
+  double lower_level = 0;  ///< design level of the layer's lower side [m]
+  double design_level = 0; ///< of its surface [m]
+};
+
+/// Adds what has become due, in the state the body is in; to be called after every increment or step.
+/// `element` (Aviles & Pinyol 2023): every cell of the layer that has become empty gets its initial points.
+/// `sub-element`: a row of points across a column of squares as soon as the gap below the design level exceeds half the
+/// row's height, so that the deficit has no bias. Sorts the body if anything was added. Returns the points added.
+int refill_where_due(Body<TriangleGrid>& body, const Refill& refill);
+
+/// Ends a stage once gravity is full: `sub-element` closes every gap exactly, by whole rows and one partial row (the
+/// column below yields a little under it, so this is repeated after each new equilibrium); `element` as
+/// `refill_where_due`. Sorts the body if anything was added. Returns the points added; 0 when no gap is worth closing.
+int close_gap(Body<TriangleGrid>& body, const Refill& refill);
+
+} // namespace settle::mpm

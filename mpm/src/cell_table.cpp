@@ -1,0 +1,49 @@
+#include "settle/mpm/cell_table.hpp"
+
+#include "settle/mpm/triangle_grid.hpp"
+
+namespace settle::mpm {
+
+namespace {
+
+/// Writes every point's cell; true if any is not where the table has it.
+template <class Grid>
+bool locate_all(const Grid& grid, Points<Grid::dim>& points) {
+  bool changed = false;
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    const auto x = points.position_of(p);
+    const std::int32_t cell = grid.locate(x);
+    if (cell < 0) throw PointLost(points.id[p], x[0], x[1], grid.width(), grid.rows() * grid.size());
+    changed = changed || cell != points.cell[p];
+    points.cell[p] = cell;
+  }
+  return changed;
+}
+
+void count(const std::vector<std::int32_t>& cells, std::size_t n_cells, CellTable& table) {
+  table.begin.assign(n_cells + 1, 0);
+  for (const std::int32_t cell : cells)
+    ++table.begin[static_cast<std::size_t>(cell) + 1];
+  table.occupied.clear();
+  for (std::size_t c = 0; c < n_cells; ++c) {
+    if (table.begin[c + 1] > 0) table.occupied.push_back(static_cast<std::int32_t>(c));
+    table.begin[c + 1] += table.begin[c];
+  }
+}
+
+} // namespace
+
+template <class Grid>
+void sort_by_cell(const Grid& grid, Points<Grid::dim>& points, CellTable& table) {
+  if (!locate_all(grid, points) && !table.begin.empty()) return;
+  count(points.cell, static_cast<std::size_t>(grid.n_cells()), table);
+  std::vector<std::uint32_t> next(table.begin.begin(), table.begin.end() - 1);
+  std::vector<std::uint32_t> order(points.size());
+  for (std::uint32_t p = 0; p < points.size(); ++p)
+    order[next[static_cast<std::size_t>(points.cell[p])]++] = p;
+  points.permute(order);
+}
+
+template void sort_by_cell(const TriangleGrid&, Points<2>&, CellTable&);
+
+} // namespace settle::mpm

@@ -1,0 +1,51 @@
+#include "settle/mpm/points.hpp"
+
+namespace settle::mpm {
+
+namespace {
+
+template <class T>
+void permute_array(std::vector<T>& values, const std::vector<std::uint32_t>& order) {
+  std::vector<T> permuted(values.size());
+  for (std::size_t i = 0; i < order.size(); ++i)
+    permuted[i] = values[order[i]];
+  values.swap(permuted);
+}
+
+} // namespace
+
+template <int dim>
+void Points<dim>::add(const NewPoint<dim>& point) {
+  id.push_back(next_id++);
+  cell.push_back(-1);
+  layer.push_back(point.layer);
+  refilled.push_back(point.refilled ? 1 : 0);
+  mass.push_back(point.density * point.volume);
+  volume.push_back(point.volume);
+  for (int c = 0; c < dim; ++c) {
+    const auto i = static_cast<std::size_t>(c);
+    position[i].push_back(point.position[c]);
+    placed[i].push_back(point.position[c]);
+    velocity[i].push_back(0.0);
+  }
+  for (auto& component : stress)
+    component.push_back(0.0);
+}
+
+template <int dim>
+void Points<dim>::permute(const std::vector<std::uint32_t>& order) {
+  const auto apply = [&order](auto& values) { permute_array(values, order); };
+  apply(id), apply(cell), apply(layer), apply(refilled), apply(mass), apply(volume);
+  for (auto& component : position)
+    apply(component);
+  for (auto& component : placed)
+    apply(component);
+  for (auto& component : velocity)
+    apply(component);
+  for (auto& component : stress)
+    apply(component);
+}
+
+template struct Points<2>;
+
+} // namespace settle::mpm

@@ -1,0 +1,69 @@
+#include <algorithm>
+
+#include <fmt/ranges.h>
+
+#include "settle/exchange/errors.hpp"
+#include "settle/mpm/loading.hpp"
+#include "settle/mpm/quasi_static_step.hpp"
+
+namespace settle::mpm {
+
+namespace {
+
+constexpr double smallest_fraction = 1.0 / 64.0;
+constexpr int max_closing_increments = 200;
+
+[[noreturn]] void give_up(const StageLoad& load, const Gravity& gravity, const IncrementReport& report) {
+  throw exchange::NotConverged(
+      {.where = fmt::format("stage {}, gravity factor {:g} of its layer", load.layer, gravity.factor),
+       .what = "the quasi-static increment did not converge, even in 64 parts",
+       .given = fmt::format("relative out-of-balance force by iteration: {:.2e}", fmt::join(report.residuals, ", ")),
+       .allowed = "mpm.quasi_static.residual",
+       .remedy = "take more mpm.quasi_static.increments, smaller elements, or mpm.scheme = \"explicit\""});
+}
+
+/// Brings the body into equilibrium at this gravity, in halved parts where Newton fails on the whole.
+void balance(Body<TriangleGrid>& body, QuasiStaticStep<TriangleGrid>& step, const StageLoad& load,
+             const Gravity& gravity, StageReport& stage) {
+  double fraction = 1.0;
+  while (true) {
+    const IncrementReport report = step.advance(body, gravity, fraction);
+    stage.linear_solves += report.linear_solves;
+    if (!report.converged) {
+      fraction *= 0.5;
+      if (fraction < smallest_fraction) give_up(load, gravity, report);
+      continue;
+    }
+    ++stage.steps;
+    stage.out_of_balance = report.out_of_balance;
+    stage.base_reaction = report.base_reaction;
+    if (fraction >= 1.0) return;
+    fraction = std::min(1.0, 2.0 * fraction);
+  }
+}
+
+} // namespace
+
+StageReport load_quasi_static(Body<TriangleGrid>& body, const StageLoad& load, const exchange::QuasiStatic& settings) {
+  QuasiStaticStep<TriangleGrid> step(settings.residual);
+  StageReport stage;
+  Gravity gravity{.acceleration = load.gravity, .ramped_layer = load.layer, .factor = 0.0};
+  for (int increment = 1; increment <= settings.increments; ++increment) {
+    gravity.factor = static_cast<double>(increment) / settings.increments;
+    balance(body, step, load, gravity, stage);
+    if (increment < settings.increments) refill_where_due(body, load.refill);
+  }
+  for (int k = 0; close_gap(body, load.refill) > 0; ++k) {
+    if (k == max_closing_increments)
+      throw exchange::NotConverged({.where = fmt::format("stage {}", load.layer),
+                                    .what = "refilling does not come to an end",
+                                    .given = fmt::format("{} increments at full gravity", k),
+                                    .allowed = "",
+                                    .remedy = "check youngs_modulus against the weight: the column may be too soft"});
+    balance(body, step, load, gravity, stage);
+  }
+  stage.in_equilibrium = true;
+  return stage;
+}
+
+} // namespace settle::mpm

@@ -1,0 +1,92 @@
+#include "settle/mpm/solver.hpp"
+
+#include <chrono>
+
+#include "construction.hpp"
+#include "settle/mpm/requirements.hpp"
+#include "stage_record.hpp"
+
+namespace settle::mpm {
+
+namespace {
+
+Refill refill_of(const exchange::Case& study, int layer) {
+  Refill refill{.rule = {}, .layer = layer};
+  if (study.construction.convention == exchange::Convention::refill) refill.rule = study.mpm.refill;
+  refill.lower_level = (layer - 1) * study.layer_thickness();
+  refill.design_level = layer * study.layer_thickness();
+  return refill;
+}
+
+StageReport load(const exchange::Case& study, int layer, Body<TriangleGrid>& body) {
+  const StageLoad stage{.layer = layer, .gravity = study.gravity, .refill = refill_of(study, layer)};
+  switch (study.mpm.scheme) {
+  case exchange::Scheme::quasi_static:
+    return load_quasi_static(body, stage, study.mpm.quasi_static);
+  case exchange::Scheme::explicit_dynamic:
+    break;
+  }
+  return load_explicit(body, stage, study.mpm.explicit_dynamic);
+}
+
+void place(const exchange::Case& study, const LayerPlacement& placement, Body<TriangleGrid>& body) {
+  place_layer(body, placement);
+  body.sort();
+  if (study.construction.convention == exchange::Convention::drop && study.mpm.scheme == exchange::Scheme::quasi_static)
+    require_supported(study, placement, body);
+}
+
+/// Mass of the points added to a layer, counted on its own so that the balance of a stage can be held against it.
+double refilled_mass(const Points<2>& points, int layer) {
+  double mass = 0;
+  for (std::size_t p = 0; p < points.size(); ++p)
+    if (points.refilled[p] != 0 && points.layer[p] == layer) mass += points.mass[p];
+  return mass;
+}
+
+/// One stage: place, load, record.
+exchange::Stage build_stage(const exchange::Case& study, int layer, Body<TriangleGrid>& body,
+                            std::vector<LayerPlacement>& placements) {
+  const auto start = std::chrono::steady_clock::now();
+  exchange::Stage stage;
+  stage.layer = layer;
+  const double mass_before = total_mass(body.points);
+  placements.push_back(placement_of(study, layer, body));
+  place(study, placements.back(), body);
+  stage.mass_placed = total_mass(body.points) - mass_before;
+  const StageReport report = load(study, layer, body);
+  stage.steps = report.steps;
+  stage.linear_solves = report.linear_solves;
+  stage.out_of_balance = report.out_of_balance;
+  stage.in_equilibrium = report.in_equilibrium;
+  stage.base_reaction = report.base_reaction;
+  stage.mass = total_mass(body.points);
+  stage.mass_refilled = refilled_mass(body.points, layer);
+  stage.weight = study.gravity * stage.mass;
+  stage.surface_height = surface_height(body, study.construction.convention);
+  stage.points = sample_points(body.points);
+  stage.probes = sample_probes(study, body.points, placements);
+  stage.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return stage;
+}
+
+} // namespace
+
+exchange::Used used(const exchange::Case& study) {
+  const Body<TriangleGrid> body = empty_body(study);
+  exchange::Used values = exchange::used_values(study, exchange::Kinematics::finite);
+  values.youngs_modulus = body.lame.youngs_modulus();
+  values.poissons_ratio = body.lame.poissons_ratio();
+  values.density = body.density;
+  return values;
+}
+
+void solve(const exchange::Case& study, const exchange::StageSink& sink) {
+  require_solvable(study);
+  Body<TriangleGrid> body = empty_body(study);
+  std::vector<LayerPlacement> placements;
+  for (int layer = 1; layer <= study.construction.layers; ++layer)
+    sink(build_stage(study, layer, body, placements));
+}
+
+} // namespace settle::mpm

@@ -1,0 +1,38 @@
+#include "stage_record.hpp"
+
+#include <algorithm>
+
+namespace settle::mpm {
+
+exchange::SamplePoints sample_points(const Points<2>& points) {
+  exchange::SamplePoints samples;
+  samples.id = points.id;
+  samples.layer = points.layer;
+  samples.refilled = points.refilled;
+  samples.volume = points.volume;
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    samples.density.push_back(points.density(p));
+    for (std::size_t d = 0; d < 2; ++d) {
+      samples.placed_position.push_back(points.placed[d][p]);
+      samples.position.push_back(points.position[d][p]);
+      samples.displacement.push_back(points.position[d][p] - points.placed[d][p]);
+    }
+    for (const auto& component : points.stress)
+      samples.stress.push_back(component[p]);
+    samples.stress.insert(samples.stress.end(), 2, 0.0);
+  }
+  return samples;
+}
+
+double surface_height(const Body<TriangleGrid>& body, exchange::Convention convention) {
+  if (convention != exchange::Convention::drop) return total_volume(body.points) / body.grid.width();
+  const auto& heights = body.points.position[1];
+  const auto highest =
+      static_cast<std::size_t>(std::distance(heights.begin(), std::max_element(heights.begin(), heights.end())));
+  double row_volume = 0;
+  for (std::size_t p = 0; p < body.points.size(); ++p)
+    if (body.points.placed[1][p] == body.points.placed[1][highest]) row_volume += body.points.volume[p];
+  return heights[highest] + 0.5 * row_volume / body.grid.width();
+}
+
+} // namespace settle::mpm
