@@ -37,10 +37,11 @@ std::string version() {
 
 void declare(CLI::App& app, Arguments& arguments) {
   app.add_option("CASE", arguments.study, "case file (TOML)")->required();
-  CLI::Option* out = app.add_option("--out", arguments.out, "result file to write (HDF5)");
-  app.add_option("--set", arguments.overrides, "override a key of the case, as key=value; may be repeated")->take_all();
+  app.add_option("--out", arguments.out, "result file to write (HDF5)");
+  app.add_option("--set", arguments.overrides, "override a key of the case, as key=value; may be repeated")
+      ->allow_extra_args(false);
   app.add_option("--vtu", arguments.pictures, "folder for VTU files and a PVD file, for ParaView");
-  app.add_flag("--check", arguments.check, "only check that the case can be run")->excludes(out);
+  app.add_flag("--check", arguments.check, "only check that the case can be run; writes nothing");
   app.add_flag("--quiet", arguments.quiet, "no progress");
   app.set_version_flag("--version", version());
 }
@@ -54,7 +55,7 @@ double largest_settlement(const exchange::Stage& stage, int dimension) {
 }
 
 std::string progress(const exchange::Stage& stage, const exchange::Case& study) {
-  return fmt::format("layer {:3} of {}: {} increments, {} linear solves, largest settlement {:.6f} m, "
+  return fmt::format("layer {:3} of {}: increments {}, linear solves {}, largest settlement {:.6f} m, "
                      "base reaction/weight {:.12f}",
                      stage.layer, study.construction.layers, stage.steps, stage.linear_solves,
                      largest_settlement(stage, study.geometry.dimension), stage.base_reaction / stage.weight);

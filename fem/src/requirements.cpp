@@ -71,7 +71,7 @@ void require_divisible(const exchange::Case& study, const std::vector<Length>& l
       .given = fmt::format("fem.element_size = {:.6g}, with {}", size, listed(lengths)),
       .allowed = nearest.empty() ? std::string("a size that divides all of these") : "nearest that fit: " + nearest,
       .remedy = nearest.empty() ? "choose a layer height and a width that have a common divisor"
-                                : "choose one of these, or change geometry.width or construction.layers"});
+                                : "use a size that fits, or change geometry.width or construction.layers"});
 }
 
 void require_small_strain(const exchange::Case& study) {
