@@ -25,7 +25,7 @@ CurveStyle shape_of(const std::string& source) {
   if (source == "exact") return {black, true, 1, 0, 0};
   if (source == "exact-fem") return {grey, true, 2, 0, 0};
   if (source == "eq-1") return {grey, true, 4, 0, 0};
-  if (source == "mpm") return {colour_number(0), false, 1, 7, 0.45};
+  if (source == "mpm") return {colour_number(0), false, 1, 7, 0.5};
   if (source == "fem") return {colour_number(1), false, 1, 4, 0.62};
   return {colour_number(2), false, 1, 8, 0.62};
 }

@@ -19,7 +19,9 @@ using exchange::Kinematics;
 using exchange::Quantity;
 using exchange::Result;
 
-constexpr std::size_t marker_limit = 110; // a curve drawn with markers, whatever its number of points
+// Markers of a curve, whatever its number of points: for one stage, and for each layer where all stages are shown.
+constexpr std::size_t marker_limit = 110;
+constexpr std::size_t marker_limit_of_layer = 9;
 
 /// The profile of a curve at one of the stages 1 ... N.
 Profile profile_at(const Curve& curve, const RunOutcome& run, Quantity quantity, int stage) {
@@ -103,8 +105,8 @@ PlotCurve drawn(const Curve& curve, const RunOutcome& run, const CampaignOutcome
     append(result.profile, profile);
   }
   if (is_marker_source(run, curve.source)) {
-    const auto stages = curve.stages == CheckStages::all ? static_cast<std::size_t>(last) : 1U;
-    thin(result.profile, marker_limit * (stages + 1) / 2);
+    const bool all = curve.stages == CheckStages::all;
+    thin(result.profile, all ? marker_limit_of_layer * result.profile.size() : marker_limit);
   }
   return result;
 }
@@ -150,7 +152,7 @@ Plot plot_of(const Figure& figure, const CampaignOutcome& outcome) {
 Plot plot_of(const RunOutcome& run, Quantity quantity, const CampaignOutcome& outcome) {
   Figure figure;
   figure.name = fmt::format("{} {}", run.name, name_of(quantity));
-  figure.title = fmt::format("{} of {}", axis_of(quantity).title, run.name);
+  figure.title = fmt::format("{}, {}, last stage", axis_of(quantity).title, run.name);
   figure.quantity = quantity;
   const auto add = [&](const std::string& source, const std::string& label) {
     figure.curves.push_back({run.name, source, label, CheckStages::last, {}, {}});

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <cstdlib>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -43,6 +44,11 @@ std::string number(double value, int significant) {
 std::string ratio(double value) {
   if (!std::isfinite(value) || (std::abs(value) < 1e-5 && value != 0.0)) return number(value, 3);
   return number(100.0 * value, 3) + " %";
+}
+
+std::string percent(double value) {
+  const long whole = std::lround(100.0 * value);
+  return fmt::format("{}{} %", whole < 0 ? "−" : "", std::labs(whole));
 }
 
 std::string difference(double value, double reference) {

@@ -14,6 +14,8 @@ inline constexpr std::string_view no_value = "–";
 std::string number(double value, int significant = 4);
 /// A ratio: in percent from 1e-5 upwards, with an exponent below.
 std::string ratio(double value);
+/// A ratio in whole percent.
+std::string percent(double value);
 /// A difference relative to `reference`, in percent with its sign.
 std::string difference(double value, double reference);
 /// A duration: "0.03 s", "12.4 s", "2 min 05 s".

@@ -16,7 +16,7 @@ constexpr int plot_height = 430;
 constexpr int left_margin = 62;
 constexpr int right_margin = 18;
 constexpr int top_margin = 12;
-constexpr int axis_space = 62; // ticks and title below the plot
+constexpr int axis_space = 74; // ticks and title below the plot
 constexpr int legend_row = 22;
 constexpr int font_size = 15;
 
@@ -41,7 +41,7 @@ std::string data_block(const PlotCurve& curve, std::size_t index) {
 }
 
 std::string drawing(const CurveStyle& style) {
-  if (style.line) return fmt::format("with lines lw 1.6 dt {} lc rgb '{}'", style.dash_type, style.colour);
+  if (style.line) return fmt::format("with lines lw 1.4 dt {} lc rgb '{}'", style.dash_type, style.colour);
   return fmt::format("with points pt {} ps {} lc rgb '{}'", style.point_type, style.point_size, style.colour);
 }
 
@@ -77,7 +77,7 @@ std::string axes(const Plot& plot) {
                      "set ylabel 'Height in the design geometry [m]' offset 1.2,0\n"
                      "set xrange [{}:*]\n"
                      "set yrange [0:{:.6g}]\n",
-                     quoted(axis.title + " [" + axis.unit + "]"),
+                     quoted(fmt::format("{}{} [{}]", axis.title, axis.sense, axis.unit)),
                      plot.quantity == exchange::Quantity::density ? "*" : "*<0", 1.02 * plot.top);
 }
 

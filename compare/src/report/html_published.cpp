@@ -1,5 +1,3 @@
-#include <cmath>
-
 #include <fmt/format.h>
 
 #include "format.hpp"
@@ -14,7 +12,7 @@ namespace {
 std::vector<Cell> published_row(const CampaignOutcome& outcome, const Published& published) {
   const StatisticForm form = form_of(published.statistic);
   const RunOutcome* run = outcome.find(published.run);
-  const auto shown = [&](double value) { return Cell{.text = number(form.factor * value)}; };
+  const auto shown = [&](double value) { return Cell{.text = value_text(published.statistic, value)}; };
   if (run == nullptr) {
     std::vector<Cell> row(10, {.text = std::string(no_value)});
     row[0] = {.text = published.label, .small_print = fmt::format("the campaign has no run “{}”", published.run)};
@@ -23,9 +21,7 @@ std::vector<Cell> published_row(const CampaignOutcome& outcome, const Published&
     return row;
   }
   const double ours = measured(*run, published.source, published.statistic);
-  const double fem = published.source == "fem" || published.statistic == Statistic::refilled_points
-                         ? std::nan("")
-                         : measured(*run, "fem", published.statistic);
+  const double fem = measured(*run, "fem", published.statistic);
   const double exact = exact_value(*run, published.source, published.statistic);
   return {{.text = published.label,
            .link = fmt::format("#{}", anchor_of(outcome, *run)),
@@ -35,9 +31,9 @@ std::vector<Cell> published_row(const CampaignOutcome& outcome, const Published&
           shown(ours),
           shown(fem),
           shown(exact),
-          {.text = difference(published.value, ours)},
-          {.text = difference(published.value, exact)},
-          {.text = difference(ours, exact)},
+          {.text = difference_text(published.statistic, published.value, ours)},
+          {.text = difference_text(published.statistic, published.value, exact)},
+          {.text = difference_text(published.statistic, ours, exact)},
           {.text = published.why}};
 }
 

@@ -84,7 +84,8 @@ Table solver_table(const RunOutcome& run) {
     }
     table.rows.push_back(
         {{.text = solver.solver},
-         {.text = std::string(name_of(solver.status)), .badge = finished ? "passed" : "error"},
+         {.text = fmt::format("{} {}", finished ? "✓" : "!", name_of(solver.status)),
+          .badge = finished ? "passed" : "error"},
          {.text = solver.result ? std::to_string(steps) : std::string(no_value)},
          {.text = duration(solver.wall_time)},
          {.text = solver.message, .small_print = solver.reused ? "an earlier result was up to date" : ""}});
@@ -110,9 +111,9 @@ Table key_figure_table(const RunOutcome& run) {
     for (const SolverRun& solver : run.solvers) {
       const double value = measured(run, solver.solver, statistic);
       const double exact = exact_value(run, solver.solver, statistic);
-      row.push_back({.text = number(form.factor * value, 5)});
-      row.push_back({.text = number(form.factor * exact, 5)});
-      row.push_back({.text = difference(value, exact)});
+      row.push_back({.text = value_text(statistic, value, 5)});
+      row.push_back({.text = value_text(statistic, exact, 5)});
+      row.push_back({.text = difference_text(statistic, value, exact)});
     }
     table.rows.push_back(std::move(row));
   }

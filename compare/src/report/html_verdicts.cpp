@@ -13,6 +13,8 @@ namespace settle::compare::report {
 
 namespace {
 
+const std::string reading =
+    "Checks are relative to what stands below them; margin: the share of the accepted band that is left.";
 constexpr std::size_t foldable = 12; // so many passed verdicts are shown without being asked for
 
 std::vector<Column> verdict_columns() {
@@ -37,7 +39,7 @@ std::vector<Cell> verdict_row(const CampaignOutcome& outcome, const Verdict& ver
       {.text = verdict.what, .small_print = verdict.scale.empty() ? "" : fmt::format("relative to {}", verdict.scale)},
       {.text = value},
       {.text = band},
-      {.text = std::isfinite(left) ? fmt::format("{:.0f} %", 100.0 * left) : ""},
+      {.text = std::isfinite(left) ? percent(left) : ""},
       {.text = reason, .small_print = second}};
 }
 
@@ -57,10 +59,10 @@ double wall_time(const RunOutcome& run) {
 
 /// Ours, with its difference from the exact value below.
 Cell against_exact(const RunOutcome& run, const std::string& source, Statistic statistic) {
-  const double factor = form_of(statistic).factor;
   const double value = measured(run, source, statistic);
   if (!std::isfinite(value)) return {.text = std::string(no_value)};
-  return {.text = number(factor * value), .small_print = difference(value, exact_value(run, source, statistic))};
+  return {.text = value_text(statistic, value),
+          .small_print = difference_text(statistic, value, exact_value(run, source, statistic))};
 }
 
 std::vector<Cell> overview_row(const CampaignOutcome& outcome, const RunOutcome& run) {
@@ -91,8 +93,8 @@ std::string verdicts_html(const CampaignOutcome& outcome) {
   const std::vector<Verdict> open(all.begin(), first_passed);
   const std::vector<Verdict> passed(first_passed, all.end());
   data page;
-  page.set("open", open.empty() ? data(false) : data(verdict_list(outcome, open, "Verdicts that did not pass")));
-  page.set("passed", passed.empty() ? data(false) : data(verdict_list(outcome, passed, "Verdicts that passed")));
+  page.set("open", open.empty() ? data(false) : data(verdict_list(outcome, open, "Did not pass. " + reading)));
+  page.set("passed", passed.empty() ? data(false) : data(verdict_list(outcome, passed, "Passed. " + reading)));
   page.set("passed_count", std::to_string(passed.size()));
   page.set("unfolded", passed.size() <= foldable);
   return render(templates::verdicts, page);

@@ -56,17 +56,17 @@ void thin(Segment& segment, std::size_t limit) {
 Axis axis_of(Quantity quantity) {
   switch (quantity) {
   case Quantity::settlement:
-    return {"Settlement since placement", "m", 1.0};
+    return {"Settlement", " since placement", "m", 1.0};
   case Quantity::vertical_stress:
-    return {"Vertical stress, compression positive", "kPa", -1e-3};
+    return {"Vertical stress", ", compression positive", "kPa", -1e-3};
   case Quantity::lateral_stress:
-    return {"Lateral stress, compression positive", "kPa", -1e-3};
+    return {"Lateral stress", ", compression positive", "kPa", -1e-3};
   case Quantity::density:
-    return {"Density", "kg/m³", 1.0};
+    return {"Density", "", "kg/m³", 1.0};
   case Quantity::base_reaction:
-    return {"Base reaction", "kN/m", 1e-3};
+    return {"Base reaction", "", "kN/m", 1e-3};
   case Quantity::mass:
-    return {"Mass", "kg/m", 1.0};
+    return {"Mass", "", "kg/m", 1.0};
   }
   return {};
 }

@@ -22,6 +22,7 @@ using Profile = std::vector<Segment>;
 /// How a quantity stands along an axis: stresses are drawn in kPa, compression positive.
 struct Axis {
   std::string title;
+  std::string sense; ///< which direction counts as positive, where that needs saying
   std::string unit;
   double factor = 1; ///< from SI units, tension positive
 };

@@ -1,8 +1,12 @@
 #include "statistics.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
+#include <fmt/format.h>
+
+#include "format.hpp"
 #include "settle/compare/exact_column.hpp"
 #include "settle/compare/field_samples.hpp"
 #include "settle/exchange/errors.hpp"
@@ -91,6 +95,18 @@ StatisticForm form_of(Statistic statistic) {
   return {};
 }
 
+std::string value_text(Statistic statistic, double value, int significant) {
+  if (statistic == Statistic::refilled_points && std::isfinite(value)) return fmt::format("{:.0f}", value);
+  return number(form_of(statistic).factor * value, significant);
+}
+
+std::string difference_text(Statistic statistic, double value, double reference) {
+  if (statistic != Statistic::refilled_points) return difference(value, reference);
+  const double more = value - reference;
+  if (!std::isfinite(more)) return std::string(no_value);
+  return fmt::format("{}{:.0f}", more > 0 ? "+" : more < 0 ? "−" : "", std::abs(more));
+}
+
 double plan_area(const exchange::Case& study) {
   const double depth = study.geometry.dimension == 3 ? study.geometry.depth.value_or(study.geometry.width) : 1.0;
   return study.geometry.width * depth;
@@ -118,6 +134,7 @@ double measured(const RunOutcome& run, const std::string& source, Statistic stat
   case Statistic::base_reaction_stress:
     return last.base_reaction / plan_area(run.study);
   case Statistic::refilled_points:
+    if (source == "fem") return nan;
     return static_cast<double>(std::count(last.points.refilled.begin(), last.points.refilled.end(), 1));
   }
   return nan;

@@ -13,10 +13,14 @@ struct StatisticForm {
   double factor = 1;
 };
 StatisticForm form_of(Statistic statistic);
+/// A value of the statistic in its unit; a count without decimals.
+std::string value_text(Statistic statistic, double value, int significant = 4);
+/// How far a value is from a reference: in percent, for counts as a number.
+std::string difference_text(Statistic statistic, double value, double reference);
 
 /// What a solver's result says at its last stage [SI, stresses compression positive]; NaN where there is no result, or
-/// a source that has no such number. Settlement and stress: the largest over the solver's own points that were not
-/// refilled, and for solvers other than MPM over its probes too.
+/// a source that has no such number (FEM refills nothing). Settlement and stress: the largest over the solver's own
+/// points that were not refilled, and for solvers other than MPM over its probes too.
 double measured(const RunOutcome& run, const std::string& source, Statistic statistic);
 
 /// The same of the exact solution of what the solver solves; NaN for refilled points, which have no exact number, and

@@ -57,8 +57,8 @@ std::string problems(const std::vector<Verdict>& verdicts) {
 std::string figure(const RunOutcome& run, const std::string& solver, Statistic statistic) {
   const double value = measured(run, solver, statistic);
   if (!std::isfinite(value)) return std::string(no_value);
-  return fmt::format("{} ({})", number(form_of(statistic).factor * value),
-                     difference(value, exact_value(run, solver, statistic)));
+  return fmt::format("{} ({})", value_text(statistic, value),
+                     difference_text(statistic, value, exact_value(run, solver, statistic)));
 }
 
 std::string key_figures(const CampaignOutcome& outcome) {
