@@ -76,6 +76,8 @@ public:
   [[nodiscard]] Array<T> read_array(const std::string& name) const;
 
 private:
+  /// Says that the object is missing, or that it is there and damaged.
+  [[noreturn]] void fail_open(const std::string& name, const std::string& kind) const;
   [[nodiscard]] Handle open_attribute(const std::string& name) const;
   [[nodiscard]] Handle open_dataset(const std::string& name) const;
 

@@ -1,4 +1,5 @@
 #include <fstream>
+#include <sstream>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -84,6 +85,18 @@ TEST(DamagedResult, CutAtAnyLengthIsRefusedAndNeverReadHalf) {
   std::filesystem::copy_file(file, cut, std::filesystem::copy_options::overwrite_existing);
   std::filesystem::resize_file(cut, size - 1);
   EXPECT_THAT(complaint_about(cut), HasSubstr("damaged or truncated"));
+}
+
+TEST(DamagedResult, WithOneChangedByteInItsBookkeepingIsRefused) {
+  const auto file = write_sample("result.h5");
+  std::stringstream content;
+  content << std::ifstream(file, std::ios::binary).rdbuf();
+  std::string bytes = content.str();
+  const std::size_t name = bytes.find("surface_height");
+  ASSERT_NE(name, std::string::npos);
+  bytes[name + std::string("surface_height").size() + 20] ^= 1;
+  std::ofstream(file, std::ios::binary) << bytes;
+  EXPECT_THAT(complaint_about(file), HasSubstr("damaged or truncated"));
 }
 
 TEST(DamagedResult, ThatIsMissingAFolderOrTextIsSaidToBe) {
