@@ -28,6 +28,11 @@ std::string without_control_characters(const std::string& text) {
   return kept;
 }
 
+/// Decimals with which a number of this size has so many significant digits.
+int decimals_of(double size, int significant) {
+  return std::max(0, significant - 1 - static_cast<int>(std::floor(std::log10(size))));
+}
+
 } // namespace
 
 std::string number(double value, int significant) {
@@ -37,8 +42,13 @@ std::string number(double value, int significant) {
   const double size = std::abs(value);
   const std::string sign = value < 0 ? "−" : "";
   if (size < 1e-4 || size >= 1e6) return fmt::format("{}{:.{}e}", sign, size, std::max(0, significant - 2));
-  const int decimals = std::max(0, significant - 1 - static_cast<int>(std::floor(std::log10(size))));
-  return fmt::format("{}{:.{}f}", sign, size, decimals);
+  return fmt::format("{}{:.{}f}", sign, size, decimals_of(size, significant));
+}
+
+std::string number_beside(double value, double scale, int significant) {
+  const double largest = std::abs(scale);
+  if (!std::isfinite(value) || !(largest >= 1e-4 && largest < 1e6)) return number(value, significant);
+  return fmt::format("{}{:.{}f}", value < 0 ? "−" : "", std::abs(value), decimals_of(largest, significant));
 }
 
 std::string ratio(double value) {

@@ -12,6 +12,8 @@ inline constexpr std::string_view no_value = "–";
 
 /// A number with so many significant digits: plain between 1e-4 and 1e6, with an exponent outside.
 std::string number(double value, int significant = 4);
+/// A number with the decimals that `scale`, the largest of its column, has with so many significant digits.
+std::string number_beside(double value, double scale, int significant = 5);
 /// A ratio: in percent from 1e-5 upwards, with an exponent below.
 std::string ratio(double value);
 /// A ratio in whole percent.

@@ -52,7 +52,8 @@ std::string published_html(const CampaignOutcome& outcome) {
                {"Printed − exact", "", true},
                {"Ours − exact", "", true},
                {"Why they differ", "", false}},
-              {}};
+              {},
+              true};
   for (const Published& published : outcome.campaign.published)
     table.rows.push_back(published_row(outcome, published));
   return render(templates::published, data("table", html_of(table)));

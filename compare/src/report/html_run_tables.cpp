@@ -15,53 +15,50 @@ namespace {
 
 using exchange::Stage;
 
-std::string in_exact_column(const RunOutcome& run, const std::string& solver, int stage) {
+/// Height of the surface of the exact column; NaN where it does not exist.
+double exact_surface(const RunOutcome& run, const std::string& solver, int stage) {
   try {
-    return number(ExactColumn(run.study, kinematics_of(run, solver)).surface_height(stage), 5);
+    return ExactColumn(run.study, kinematics_of(run, solver)).surface_height(stage);
   } catch (const exchange::InputError&) {
-    return std::string(no_value); // the column does not exist: it is too soft to stand
+    return std::nan(""); // the column is too soft to stand
   }
 }
 
 std::vector<Column> balance_columns(const exchange::Case& study) {
   const std::string mass = study.geometry.dimension == 3 ? "kg" : "kg/m";
-  return {{"Stage", "", false},
-          {"Layer", "", true},
-          {"Steps", "", true},
-          {"Linear solves", "", true},
-          {"Mass before", mass, true},
-          {"+ placed", mass, true},
-          {"+ refilled", mass, true},
-          {"= mass", mass, true},
-          {"Gap", "", true},
-          {"Weight", "kPa", true},
-          {"Base reaction", "kPa", true},
-          {"Difference", "", true},
-          {"Out of balance", "", true},
-          {"Surface", "m", true},
-          {"Exact surface", "m", true},
+  return {{"Stage and layer", "", false}, {"Steps", "", true},
+          {"Linear solves", "", true},    {"Mass before", mass, true},
+          {"+ placed", mass, true},       {"+ refilled", mass, true},
+          {"= mass", mass, true},         {"Gap", "", true},
+          {"Weight", "kPa", true},        {"Base reaction", "kPa", true},
+          {"Difference", "", true},       {"Out of balance", "", true},
+          {"Surface", "m", true},         {"Exact surface", "m", true},
           {"Equilibrium", "", false}};
 }
 
-std::vector<Cell> balance_row(const RunOutcome& run, const std::string& solver, const Stage& stage, double before) {
+std::vector<Cell> balance_row(const RunOutcome& run, const SolverRun& solver, const Stage& stage, double before) {
+  const Stage& last = solver.result->stages.back();
   const double area = plan_area(run.study);
+  const double height = run.study.geometry.height;
+  const auto mass = [&](double value) { return Cell{.text = number_beside(value, last.mass)}; };
+  const auto pressure = [&](double force) {
+    return Cell{.text = number_beside(1e-3 * force / area, 1e-3 * last.weight / area)};
+  };
   const double gap = (before + stage.mass_placed + stage.mass_refilled - stage.mass) / stage.mass;
-  const double reaction = (stage.base_reaction - stage.weight) / stage.weight;
   return {{.text = std::to_string(stage.layer)},
-          {.text = std::to_string(stage.layer)},
           {.text = std::to_string(stage.steps)},
           {.text = std::to_string(stage.linear_solves)},
-          {.text = number(before, 5)},
-          {.text = number(stage.mass_placed, 5)},
-          {.text = number(stage.mass_refilled, 5)},
-          {.text = number(stage.mass, 5)},
+          mass(before),
+          mass(stage.mass_placed),
+          mass(stage.mass_refilled),
+          mass(stage.mass),
           {.text = number(gap, 3)},
-          {.text = number(1e-3 * stage.weight / area, 5)},
-          {.text = number(1e-3 * stage.base_reaction / area, 5)},
-          {.text = ratio(reaction)},
+          pressure(stage.weight),
+          pressure(stage.base_reaction),
+          {.text = ratio((stage.base_reaction - stage.weight) / stage.weight)},
           {.text = number(stage.out_of_balance, 3)},
-          {.text = number(stage.surface_height, 5)},
-          {.text = in_exact_column(run, solver, stage.layer)},
+          {.text = number_beside(stage.surface_height, height)},
+          {.text = number_beside(exact_surface(run, solver.solver, stage.layer), height)},
           stage.in_equilibrium ? Cell{.text = "yes"} : Cell{.text = "no", .badge = "unheld"}};
 }
 
@@ -142,7 +139,7 @@ Table balance_table(const RunOutcome& run, const SolverRun& solver) {
   Table table{fmt::format("Balance of {}, stage by stage", solver.solver), balance_columns(run.study), {}};
   double before = 0.0;
   for (const Stage& stage : solver.result->stages) {
-    table.rows.push_back(balance_row(run, solver.solver, stage, before));
+    table.rows.push_back(balance_row(run, solver, stage, before));
     before = stage.mass;
   }
   return table;

@@ -15,10 +15,11 @@ data data_of(const Column& column) {
   return entry;
 }
 
-data data_of(const Cell& cell, const Column& column, bool heading) {
+data data_of(const Cell& cell, const Column& column, bool heading, bool stacks) {
   data entry;
   entry.set("heading", heading);
   entry.set("numeric", column.numeric);
+  entry.set("label", stacks && column.numeric ? data(column.title) : data(false));
   entry.set("text", printable(cell.text));
   entry.set("badge", text_or_nothing(cell.badge));
   entry.set("link", text_or_nothing(cell.link));
@@ -40,11 +41,12 @@ data data_of(const Table& table) {
   for (const std::vector<Cell>& row : table.rows) {
     data cells(data::type::list);
     for (std::size_t i = 0; i < row.size(); ++i)
-      cells.push_back(data_of(row[i], table.columns[i], i == 0));
+      cells.push_back(data_of(row[i], table.columns[i], i == 0, table.stacks));
     rows.push_back(data("cells", cells));
   }
   data entry;
   entry.set("caption", table.caption);
+  entry.set("stacks", table.stacks);
   entry.set("columns", columns);
   entry.set("rows", rows);
   return entry;

@@ -33,6 +33,7 @@ struct Table {
   std::string caption;
   std::vector<Column> columns;
   std::vector<std::vector<Cell>> rows; ///< the first cell of a row is its heading
+  bool stacks = false;                 ///< on a narrow screen a row becomes a block of lines instead of scrolling
 };
 
 /// The data of template `table`.

@@ -44,7 +44,7 @@ std::vector<Cell> verdict_row(const CampaignOutcome& outcome, const Verdict& ver
 }
 
 std::string verdict_list(const CampaignOutcome& outcome, const std::vector<Verdict>& verdicts, std::string caption) {
-  Table table{std::move(caption), verdict_columns(), {}};
+  Table table{std::move(caption), verdict_columns(), {}, true};
   for (const Verdict& verdict : verdicts)
     table.rows.push_back(verdict_row(outcome, verdict));
   return html_of(table);
@@ -112,7 +112,8 @@ std::string overview_html(const CampaignOutcome& outcome) {
        {"FEM settlement", "m", true},
        {"FEM stress", "kPa", true},
        {"Solvers' time", "", true}},
-      {}};
+      {},
+      true};
   for (const RunOutcome& run : outcome.runs)
     table.rows.push_back(overview_row(outcome, run));
   return html_of(table);
