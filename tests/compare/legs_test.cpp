@@ -1,0 +1,212 @@
+#include "settle/compare/legs.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "paper_cases.hpp"
+#include "perfect_result.hpp"
+#include "settle/compare/exact_column.hpp"
+#include "settle/compare/field_samples.hpp"
+
+namespace settle::compare::test {
+namespace {
+
+using exchange::Convention;
+using exchange::Kinematics;
+using exchange::Norm;
+using exchange::Over;
+using exchange::Quantity;
+
+RunOutcome refill_run() {
+  return perfect_run(paper_case(5, Convention::refill));
+}
+
+LegRequest request(const std::string& value, const std::string& reference, Quantity quantity, Over over) {
+  return {.value = value, .reference = reference, .quantity = quantity, .over = over, .stage = 5};
+}
+
+TEST(Legs, APerfectSolverHasNoErrorOverPointsAndProbes) {
+  const RunOutcome run = refill_run();
+  for (const std::string solver : {"mpm", "fem"}) {
+    for (const Quantity quantity : {Quantity::settlement, Quantity::vertical_stress, Quantity::lateral_stress}) {
+      for (const Over over : {Over::points, Over::probes}) {
+        const LegSamples leg = leg_samples(run, request(solver, "exact", quantity, over));
+        EXPECT_LT(relative_norm(leg, Norm::linf).value, 1e-13);
+        EXPECT_EQ(leg.size(), over == Over::points ? 40U : 45U);
+      }
+    }
+  }
+}
+
+TEST(Legs, EachSolverIsHeldAgainstTheExactSolutionOfWhatItSolves) {
+  RunOutcome run = refill_run();
+  result_in(run, "fem").used.kinematics = Kinematics::finite; // claims what it did not solve
+  const LegSamples leg = leg_samples(run, request("fem", "exact", Quantity::settlement, Over::probes));
+  EXPECT_GT(relative_norm(leg, Norm::l2).value, 0.05);
+}
+
+TEST(Legs, SettlementIsPositiveDownwardsAndStressTensionPositive) {
+  const RunOutcome run = refill_run();
+  const LegSamples settlement = leg_samples(run, request("mpm", "exact", Quantity::settlement, Over::points));
+  const LegSamples stress = leg_samples(run, request("mpm", "exact", Quantity::vertical_stress, Over::points));
+  EXPECT_GT(settlement.value.front(), 0.0);
+  EXPECT_LT(stress.value.front(), -80e3);
+}
+
+TEST(Legs, RefilledPointsAreLeftOut) {
+  RunOutcome run = refill_run();
+  auto& points = result_in(run, "mpm").stages.back().points;
+  points.refilled.back() = 1;
+  points.displacement.back() = 100.0;
+  const LegSamples leg = leg_samples(run, request("mpm", "exact", Quantity::settlement, Over::points));
+  EXPECT_EQ(leg.size(), 39U);
+  EXPECT_LT(relative_norm(leg, Norm::linf).value, 1e-13);
+}
+
+TEST(Legs, ProbesOfTwoSolversAreMatchedLayerByLayer) {
+  RunOutcome run = refill_run();
+  EXPECT_EQ(leg_samples(run, request("mpm", "fem", Quantity::settlement, Over::automatic)).size(), 45U);
+  result_in(run, "fem").stages.back().probes["axis"].layer[9] = 1; // the point just above the first interface
+  const LegSamples leg = leg_samples(run, request("mpm", "fem", Quantity::settlement, Over::automatic));
+  EXPECT_EQ(leg.size(), 0U);
+  EXPECT_NE(leg.problem.find("probe 10"), std::string::npos);
+}
+
+TEST(Legs, DifferentNumbersOfProbesAreNotCompared) {
+  RunOutcome run = refill_run();
+  result_in(run, "fem").stages.back().probes.clear();
+  EXPECT_FALSE(leg_samples(run, request("mpm", "fem", Quantity::settlement, Over::probes)).problem.empty());
+}
+
+TEST(Legs, LayersCanBeChosen) {
+  const RunOutcome run = refill_run();
+  LegRequest chosen = request("mpm", "exact", Quantity::settlement, Over::points);
+  chosen.layers = {2, 3};
+  EXPECT_EQ(leg_samples(run, chosen).size(), 16U);
+}
+
+TEST(Legs, ScalarsOfTheWholeColumn) {
+  const RunOutcome run = refill_run();
+  for (const Quantity quantity : {Quantity::base_reaction, Quantity::mass}) {
+    const LegSamples leg = leg_samples(run, request("mpm", "exact", quantity, Over::automatic));
+    ASSERT_EQ(leg.size(), 1U);
+    EXPECT_NEAR(leg.value[0], leg.reference[0], 1e-12 * leg.reference[0]);
+  }
+  EXPECT_NEAR(leg_samples(run, request("mpm", "exact", Quantity::base_reaction, Over::automatic)).reference[0],
+              92782.0 * 0.125, 0.1);
+  EXPECT_NEAR(leg_samples(run, request("fem", "exact", Quantity::density, Over::automatic)).value[0], 1720.0, 1e-9);
+}
+
+TEST(Legs, ALayerNumberOutsideTheStageIsAProblemNotACrash) {
+  for (const int layer : {0, 6, -3}) {
+    RunOutcome run = refill_run();
+    result_in(run, "mpm").stages.back().points.layer[3] = layer;
+    EXPECT_FALSE(leg_samples(run, request("mpm", "exact", Quantity::settlement, Over::points)).problem.empty());
+  }
+}
+
+TEST(Legs, TheExactSolutionOrATableIsTheReferenceWhateverTheOrder) {
+  RunOutcome run = refill_run();
+  run.study.references["code"] = {.file = "code.csv", .title = ""};
+  using Pair = std::pair<std::string, std::string>;
+  EXPECT_EQ(value_and_reference(run, {"exact", "mpm"}), Pair("mpm", "exact"));
+  EXPECT_EQ(value_and_reference(run, {"code", "mpm"}), Pair("mpm", "code"));
+  EXPECT_EQ(value_and_reference(run, {"exact", "code"}), Pair("code", "exact"));
+  EXPECT_EQ(value_and_reference(run, {"mpm", "fem"}), Pair("mpm", "fem"));
+}
+
+TEST(Legs, TheSplitOfPerfectSolversIsTheModelDifferenceAlone) {
+  const std::vector<DifferenceSplit> splits = difference_splits(refill_run());
+  ASSERT_EQ(splits.size(), 2U);
+  for (const DifferenceSplit& split : splits) {
+    EXPECT_LT(split.mpm_error, 1e-13);
+    EXPECT_LT(split.fem_error, 1e-13);
+    EXPECT_NEAR(split.total, split.model_difference, 1e-13);
+    EXPECT_GT(split.total, 0.05);
+  }
+}
+
+TEST(Legs, AnErrorOfOneSolverAppearsInItsPartOfTheSplit) {
+  RunOutcome run = refill_run();
+  auto& displacement = result_in(run, "mpm").stages.back().probes["axis"].displacement;
+  for (double& component : displacement)
+    component *= 1.1;
+  const DifferenceSplit split = difference_splits(run).front();
+  EXPECT_GT(split.mpm_error, 0.1);
+  EXPECT_LT(split.fem_error, 1e-13);
+}
+
+TEST(Legs, ThereIsNoSplitWithoutProbes) {
+  RunOutcome run = refill_run();
+  for (auto& stage : result_in(run, "mpm").stages)
+    stage.probes.clear();
+  EXPECT_TRUE(difference_splits(run).empty());
+}
+
+ReferenceTable table_of(const RunOutcome& run, double height_shift) {
+  const ExactColumn column(run.study, Kinematics::finite);
+  ReferenceTable table;
+  for (int layer = 1; layer <= 5; ++layer) {
+    for (const double xi : {0.125, 0.375, 0.625, 0.875}) {
+      const ColumnState state = column.at(layer, xi, 5);
+      table.stage.push_back(5);
+      table.layer.push_back(layer);
+      table.points.push_back(2);
+      table.placed_height.push_back(state.placed_height + height_shift);
+      table.settlement.push_back(state.settlement);
+      table.vertical_stress.push_back(state.vertical_stress);
+      table.lateral_stress.push_back(state.lateral_stress);
+      table.density.push_back(state.density);
+      table.volume.push_back(0.01);
+    }
+  }
+  return table;
+}
+
+TEST(Legs, ATableIsMatchedByStageLayerAndPlacedHeightWithPointsAtOneHeightAveraged) {
+  RunOutcome run = refill_run();
+  run.references["code"] = table_of(run, 1e-9);
+  const LegSamples leg = leg_samples(run, request("mpm", "code", Quantity::settlement, Over::automatic));
+  EXPECT_EQ(leg.size(), 20U); // 40 points in pairs
+  EXPECT_EQ(leg.without_partner, 0U);
+  EXPECT_LT(relative_norm(leg, Norm::linf).value, 1e-12);
+  EXPECT_LT(
+      relative_norm(leg_samples(run, request("code", "exact", Quantity::vertical_stress, Over::automatic)), Norm::linf)
+          .value,
+      1e-7);
+}
+
+TEST(Legs, RowsWithoutAPartnerAreCounted) {
+  RunOutcome run = refill_run();
+  ReferenceTable table = table_of(run, 0.0);
+  table.placed_height[2] += 0.05;
+  run.references["code"] = table;
+  const LegSamples leg = leg_samples(run, request("mpm", "code", Quantity::settlement, Over::automatic));
+  EXPECT_EQ(leg.size(), 19U);
+  EXPECT_EQ(leg.without_partner, 2U); // one of each side
+}
+
+TEST(Legs, ATableOfWhichNothingMatchesIsAProblem) {
+  RunOutcome run = refill_run();
+  run.references["code"] = table_of(run, 0.05);
+  const LegSamples leg = leg_samples(run, request("mpm", "code", Quantity::settlement, Over::automatic));
+  EXPECT_EQ(leg.size(), 0U);
+  EXPECT_FALSE(leg.problem.empty());
+}
+
+TEST(Legs, PointsAtOneHeightAreAveragedByVolume) {
+  const FieldSamples rows = averaged_by_height({.layer = {1, 2, 1, 1},
+                                                .height = {0.5, 0.5, 0.1, 0.5},
+                                                .value = {1.0, 9.0, 7.0, 4.0},
+                                                .weight = {1.0, 1.0, 1.0, 3.0}},
+                                               1e-4);
+  ASSERT_EQ(rows.size(), 3U);
+  EXPECT_EQ(rows.layer, (std::vector<int>{1, 1, 2}));
+  EXPECT_DOUBLE_EQ(rows.value[0], 7.0);
+  EXPECT_DOUBLE_EQ(rows.value[1], 3.25);
+  EXPECT_DOUBLE_EQ(rows.weight[1], 4.0);
+}
+
+} // namespace
+} // namespace settle::compare::test
