@@ -1,5 +1,6 @@
 #include "settle/compare/column_law.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -54,7 +55,7 @@ double ColumnLaw::stretch(double overburden) const {
   case Law::hencky: // W0(x) / x = exp(-W0(x)), also at x = 0
     return std::exp(-boost::math::lambert_w0(overburden / modulus_));
   case Law::neo_hookean:
-    return solve_stretch(overburden);
+    return std::exp(solve_strain(overburden));
   }
   return std::numeric_limits<double>::quiet_NaN();
 }
@@ -68,9 +69,13 @@ double ColumnLaw::integral(double overburden) const {
     return modulus_ * (w + 0.5 * w * w);
   }
   case Law::neo_hookean: {
-    const auto integrand = [this](double stretch) { return stretch * vertical_tangent(stretch); };
+    // dw = -(dsigma/de) de with the logarithmic strain e: exact also where strains are small
+    const auto integrand = [this](double strain) {
+      const double stretch = std::exp(strain);
+      return stretch * stretch * vertical_tangent(stretch);
+    };
     using Rule = boost::math::quadrature::gauss_kronrod<double, 31>;
-    return Rule::integrate(integrand, solve_stretch(overburden), 1.0, 10, 1e-14);
+    return Rule::integrate(integrand, solve_strain(overburden), 0.0, 10, 1e-14);
   }
   }
   return std::numeric_limits<double>::quiet_NaN();
@@ -97,21 +102,25 @@ double ColumnLaw::lateral_stress(double overburden) const {
   case Law::hencky:
     return -overburden * lame_lambda_ / modulus_;
   case Law::neo_hookean: {
-    const double stretch = solve_stretch(overburden);
-    return lame_lambda_ * std::log(stretch) / stretch;
+    const double strain = solve_strain(overburden);
+    return lame_lambda_ * strain / std::exp(strain);
   }
   }
   return std::numeric_limits<double>::quiet_NaN();
 }
 
 double ColumnLaw::vertical_stress(double stretch) const {
+  return stress_at(std::log(stretch));
+}
+
+double ColumnLaw::stress_at(double strain) const {
   switch (law_) {
   case Law::rate:
-    return modulus_ * std::log(stretch);
+    return modulus_ * strain;
   case Law::hencky:
-    return modulus_ * std::log(stretch) / stretch;
+    return modulus_ * strain / std::exp(strain);
   case Law::neo_hookean:
-    return (lame_lambda_ * std::log(stretch) + lame_mu_ * (stretch * stretch - 1.0)) / stretch;
+    return (lame_lambda_ * strain + lame_mu_ * std::expm1(2.0 * strain)) / std::exp(strain);
   }
   return std::numeric_limits<double>::quiet_NaN();
 }
@@ -129,16 +138,13 @@ double ColumnLaw::vertical_tangent(double stretch) const {
   return std::numeric_limits<double>::quiet_NaN();
 }
 
-double ColumnLaw::solve_stretch(double overburden) const {
-  if (overburden == 0.0) return 1.0;
-  const auto imbalance = [this, overburden](double stretch) { return vertical_stress(stretch) + overburden; };
-  double low = 1.0;
-  double high = 1.0;
-  while (imbalance(low) > 0.0)
-    low *= 0.5;
-  while (imbalance(high) < 0.0)
-    high *= 2.0;
-  return bracketed_root(imbalance, low, high);
+double ColumnLaw::solve_strain(double overburden) const {
+  if (overburden == 0.0) return 0.0;
+  const auto imbalance = [this, overburden](double strain) { return stress_at(strain) + overburden; };
+  double end = -overburden / modulus_; // the linear solution
+  while (overburden > 0.0 ? imbalance(end) > 0.0 : imbalance(end) < 0.0)
+    end *= 2.0;
+  return bracketed_root(imbalance, std::min(end, 0.0), std::max(end, 0.0));
 }
 
 double ColumnLaw::solve_inverse(double integral) const {

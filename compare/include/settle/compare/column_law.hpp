@@ -28,7 +28,8 @@ public:
 
 private:
   [[nodiscard]] double vertical_tangent(double stretch) const;
-  [[nodiscard]] double solve_stretch(double overburden) const;
+  [[nodiscard]] double stress_at(double logarithmic_strain) const;
+  [[nodiscard]] double solve_strain(double overburden) const;
   [[nodiscard]] double solve_inverse(double integral) const;
 
   exchange::Law law_;
