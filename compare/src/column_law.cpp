@@ -87,7 +87,8 @@ double ColumnLaw::inverse_integral(double integral) const {
     if (integral >= modulus_) throw_no_equilibrium(law_, integral, modulus_);
     return -modulus_ * std::log1p(-integral / modulus_);
   case Law::hencky: {
-    const double w = std::sqrt(1.0 + 2.0 * integral / modulus_) - 1.0;
+    const double twice = 2.0 * integral / modulus_;
+    const double w = twice / (1.0 + std::sqrt(1.0 + twice)); // sqrt(1 + twice) - 1 without cancellation
     return modulus_ * w * std::exp(w);
   }
   case Law::neo_hookean:

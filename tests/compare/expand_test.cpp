@@ -93,7 +93,7 @@ TEST_F(Expansion, PublishedNumbersMustNameARunThatIsThere) {
 }
 
 TEST(FolderName, IsHarmless) {
-  EXPECT_EQ(folder_name("column 5/refill: ünheld"), "column_5_refill___nheld");
+  EXPECT_EQ(folder_name("column 5/refill: ünheld"), "column_5_refill____nheld");
   EXPECT_EQ(folder_name("../x"), "_.._x");
   EXPECT_EQ(folder_name(""), "_");
 }
