@@ -62,7 +62,7 @@ std::string progress(const exchange::Stage& stage, const exchange::Case& study) 
 }
 
 void check(const exchange::Case& study) {
-  const auto along = settle::fem::cell_counts(study).along;
+  const auto along = settle::fem::cells_along_axes(study);
   std::cout << fmt::format("{}: {} can run this case: {} layers, {} cells\n", study.file, program,
                            study.construction.layers, along[0] * along[1] * along[2]);
 }

@@ -19,8 +19,8 @@ dealii::Point<dim> far_corner(const exchange::Geometry& geometry) {
 
 template <int dim>
 void make_column(const exchange::Case& study, dealii::Triangulation<dim>& mesh) {
-  const CellCounts counts = cell_counts(study);
-  const std::vector<unsigned> repetitions(counts.along.begin(), counts.along.begin() + dim);
+  const std::array<unsigned, 3> along = cells_along_axes(study);
+  const std::vector<unsigned> repetitions(along.begin(), along.begin() + dim);
   dealii::GridGenerator::subdivided_hyper_rectangle(mesh, repetitions, dealii::Point<dim>(),
                                                     far_corner<dim>(study.geometry), true);
   for (const auto& cell : mesh.active_cell_iterators()) {

@@ -47,13 +47,15 @@ struct Outcome {
 
 class Program : public ::testing::Test {
 protected:
-  Program() : folder_(fs::path(::testing::TempDir()) / "settle_fem_program") {
+  Program()
+      : folder_(fs::path(::testing::TempDir()) /
+                ("settle_fem_" + std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()))) {
     fs::remove_all(folder_);
     fs::create_directories(folder_);
     std::ofstream(folder_ / "column.toml") << study;
   }
 
-  /// Runs the program in a folder that holds column.toml.
+  /// Runs the program in a folder that holds column.toml, each test in its own: ctest runs them side by side.
   [[nodiscard]] Outcome run(const std::string& arguments) const {
     const std::string command = "cd '" + folder_.string() + "' && '" SETTLE_FEM_PROGRAM "' " + arguments + " 2>&1";
     FILE* pipe = popen(command.c_str(), "r");

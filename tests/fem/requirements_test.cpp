@@ -23,13 +23,11 @@ std::string complaint_about(const exchange::Case& study) {
 }
 
 TEST(Requirements, CountCellsAlongEachAxis) {
-  const CellCounts flat = cell_counts(column({.layers = 5, .width = 0.25}));
-  EXPECT_EQ(flat.along[0], 2U);
-  EXPECT_EQ(flat.along[1], 40U);
-  EXPECT_EQ(flat.per_layer, 8U);
+  using Counts = std::array<unsigned, 3>;
+  EXPECT_EQ(cells_along_axes(column({.layers = 5, .width = 0.25})), (Counts{2, 40, 1}));
   exchange::Case solid = column({.layers = 5, .dimension = 3, .width = 0.25});
   solid.geometry.depth = 0.5;
-  EXPECT_EQ(cell_counts(solid).along, (std::array<unsigned, 3>{2, 4, 40}));
+  EXPECT_EQ(cells_along_axes(solid), (Counts{2, 4, 40}));
 }
 
 TEST(Requirements, AcceptLengthsThatAreMultiplesOnlyUpToRoundOff) {

@@ -15,7 +15,7 @@ namespace settle::exchange {
 template <class... Values>
 std::string assertion_values(const Values&... values) {
   std::string text;
-  ((text += fmt::format(text.empty() ? "{}" : ", {}", values)), ...);
+  ((text += fmt::format("{}{}", text.empty() ? "" : ", ", values)), ...);
   return text;
 }
 
