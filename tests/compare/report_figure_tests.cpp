@@ -148,7 +148,8 @@ TEST(CurveStyles, TellSourcesByColourWithinARunAndRunsByColourAcrossRuns) {
   EXPECT_NE(styles_of(plot)[0].colour, styles_of(plot)[1].colour);
   plot.curves = {{"", "a", "mpm", {}}, {"", "a", "exact", {}}, {"", "b", "mpm", {}}};
   const std::vector<CurveStyle> styles = styles_of(plot);
-  EXPECT_EQ(styles[0].colour, styles[1].colour);
+  EXPECT_EQ(styles[0].colour, "#0072B2");
+  EXPECT_EQ(styles[1].colour, "#003959"); // the run's, darker: seen on top of the markers
   EXPECT_NE(styles[0].colour, styles[2].colour);
   EXPECT_TRUE(styles[1].line);
   EXPECT_FALSE(styles[0].line);

@@ -5,6 +5,8 @@
 #include <map>
 #include <set>
 
+#include <fmt/format.h>
+
 namespace settle::compare::report {
 
 namespace {
@@ -30,6 +32,12 @@ CurveStyle shape_of(const std::string& source) {
   return {colour_number(2), false, 1, 8, 0.62};
 }
 
+/// Half way to black: a line of a run is seen on top of its markers.
+std::string darkened(const std::string& colour) {
+  const auto channel = [&](std::size_t at) { return std::stoi(colour.substr(at, 2), nullptr, 16) / 2; };
+  return fmt::format("#{:02X}{:02X}{:02X}", channel(1), channel(3), channel(5));
+}
+
 /// The place of each run in the order in which markers and exact lines mention them; Eq. (1) belongs to no run.
 std::map<std::string, std::size_t> order_of_runs(const Plot& plot) {
   std::map<std::string, std::size_t> order;
@@ -53,7 +61,8 @@ std::vector<CurveStyle> styles_of(const Plot& plot) {
       style.dash_type = 4 - equations % 3;
       ++equations;
     } else if (runs.size() > 1) {
-      style.colour = colour_number(runs.at(curve.run));
+      const std::string colour = colour_number(runs.at(curve.run));
+      style.colour = is_line(curve.source) ? darkened(colour) : colour;
     } else if (!is_line(curve.source) && curve.source != "mpm" && curve.source != "fem") {
       style.colour = colour_number(2 + references.emplace(curve.source, references.size()).first->second);
     }

@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 
 #include "format.hpp"
+#include "settle/compare/statistics.hpp"
 #include "settle/exchange/errors.hpp"
-#include "statistics.hpp"
 
 namespace settle::compare::report {
 

@@ -2,7 +2,7 @@
 
 #include "format.hpp"
 #include "html_parts.hpp"
-#include "statistics.hpp"
+#include "statistic_text.hpp"
 #include "templates.hpp"
 
 namespace settle::compare::report {

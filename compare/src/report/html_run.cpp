@@ -4,7 +4,7 @@
 #include "format.hpp"
 #include "html_parts.hpp"
 #include "reported_verdicts.hpp"
-#include "statistics.hpp"
+#include "settle/compare/statistics.hpp"
 #include "templates.hpp"
 
 namespace settle::compare::report {

@@ -7,7 +7,7 @@
 #include "html_parts.hpp"
 #include "profiles.hpp"
 #include "settle/exchange/errors.hpp"
-#include "statistics.hpp"
+#include "statistic_text.hpp"
 
 namespace settle::compare::report {
 
@@ -16,9 +16,9 @@ namespace {
 using exchange::Stage;
 
 /// Height of the surface of the exact column; NaN where it does not exist.
-double exact_surface(const RunOutcome& run, const std::string& solver, int stage) {
+double exact_surface(const RunOutcome& run, const exchange::Result& result, int stage) {
   try {
-    return ExactColumn(run.study, kinematics_of(run, solver)).surface_height(stage);
+    return ExactColumn(run.study, result.used.kinematics).surface_height(stage);
   } catch (const exchange::InputError&) {
     return std::nan(""); // the column is too soft to stand
   }
@@ -26,13 +26,13 @@ double exact_surface(const RunOutcome& run, const std::string& solver, int stage
 
 std::vector<Column> balance_columns(const exchange::Case& study) {
   const std::string mass = study.geometry.dimension == 3 ? "kg" : "kg/m";
-  return {{"Stage and layer", "", false}, {"Steps", "", true},
-          {"Linear solves", "", true},    {"Mass before", mass, true},
-          {"+ placed", mass, true},       {"+ refilled", mass, true},
-          {"= mass", mass, true},         {"Gap", "", true},
-          {"Weight", "kPa", true},        {"Base reaction", "kPa", true},
-          {"Difference", "", true},       {"Out of balance", "", true},
-          {"Surface", "m", true},         {"Exact surface", "m", true},
+  return {{"Stage", "", false},        {"Steps", "", true},
+          {"Linear solves", "", true}, {"Mass before", mass, true},
+          {"+ placed", mass, true},    {"+ refilled", mass, true},
+          {"= mass", mass, true},      {"Gap", "", true},
+          {"Weight", "kPa", true},     {"Base reaction", "kPa", true},
+          {"Difference", "", true},    {"Out of balance", "", true},
+          {"Surface", "m", true},      {"Exact surface", "m", true},
           {"Equilibrium", "", false}};
 }
 
@@ -40,7 +40,7 @@ std::vector<Cell> balance_row(const RunOutcome& run, const SolverRun& solver, co
   const Stage& last = solver.result->stages.back();
   const double area = plan_area(run.study);
   const double height = run.study.geometry.height;
-  const auto mass = [&](double value) { return Cell{.text = number_beside(value, last.mass)}; };
+  const auto mass = [&](double value) { return Cell{.text = number_beside(value, last.mass, 6)}; };
   const auto pressure = [&](double force) {
     return Cell{.text = number_beside(1e-3 * force / area, 1e-3 * last.weight / area)};
   };
@@ -58,7 +58,7 @@ std::vector<Cell> balance_row(const RunOutcome& run, const SolverRun& solver, co
           {.text = ratio((stage.base_reaction - stage.weight) / stage.weight)},
           {.text = number(stage.out_of_balance, 3)},
           {.text = number_beside(stage.surface_height, height)},
-          {.text = number_beside(exact_surface(run, solver.solver, stage.layer), height)},
+          {.text = number_beside(exact_surface(run, *solver.result, stage.layer), height)},
           stage.in_equilibrium ? Cell{.text = "yes"} : Cell{.text = "no", .badge = "unheld"}};
 }
 

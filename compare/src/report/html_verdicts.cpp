@@ -6,7 +6,7 @@
 #include "format.hpp"
 #include "html_parts.hpp"
 #include "reported_verdicts.hpp"
-#include "statistics.hpp"
+#include "statistic_text.hpp"
 #include "templates.hpp"
 
 namespace settle::compare::report {
@@ -27,6 +27,11 @@ std::vector<Column> verdict_columns() {
           {"Why, and what happened", "", false}};
 }
 
+std::string margin_text(double left) {
+  if (!std::isfinite(left)) return "";
+  return left < -10.0 ? "far outside" : percent(left);
+}
+
 std::vector<Cell> verdict_row(const CampaignOutcome& outcome, const Verdict& verdict) {
   const std::string band = accepted_band(verdict);
   const std::string value = band.empty() ? "" : value_text(verdict, verdict.value);
@@ -39,7 +44,7 @@ std::vector<Cell> verdict_row(const CampaignOutcome& outcome, const Verdict& ver
       {.text = verdict.what, .small_print = verdict.scale.empty() ? "" : fmt::format("relative to {}", verdict.scale)},
       {.text = value},
       {.text = band},
-      {.text = std::isfinite(left) ? percent(left) : ""},
+      {.text = margin_text(left)},
       {.text = reason, .small_print = second}};
 }
 

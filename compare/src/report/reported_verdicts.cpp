@@ -93,7 +93,7 @@ std::string value_text(const Verdict& verdict, double value) {
 }
 
 std::string accepted_band(const Verdict& verdict) {
-  if (!std::isfinite(verdict.value) && verdict.kind != "check") return "";
+  if (!std::isfinite(verdict.value) && !(verdict.limit > 0.0)) return "";
   if (verdict.at_least == verdict.limit) return value_text(verdict, verdict.limit);
   if (!(verdict.at_least > 0.0)) return "≤ " + value_text(verdict, verdict.limit);
   return fmt::format("{} … {}", value_text(verdict, verdict.at_least), value_text(verdict, verdict.limit));

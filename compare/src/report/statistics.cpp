@@ -1,17 +1,14 @@
-#include "statistics.hpp"
+#include "settle/compare/statistics.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include <fmt/format.h>
-
-#include "format.hpp"
 #include "settle/compare/exact_column.hpp"
 #include "settle/compare/field_samples.hpp"
 #include "settle/exchange/errors.hpp"
 
-namespace settle::compare::report {
+namespace settle::compare {
 
 namespace {
 
@@ -35,7 +32,8 @@ double largest_value(const Result& result, const std::string& source, Quantity q
   const double sign = quantity == Quantity::settlement ? 1.0 : -1.0;
   constexpr double lowest = -std::numeric_limits<double>::infinity();
   const double value = largest(point_samples(last, dimension, quantity), sign, lowest);
-  return source == "mpm" ? value : largest(probe_samples(last, dimension, quantity), sign, value);
+  const bool with_probes = source != "mpm" || quantity == Quantity::settlement;
+  return with_probes ? largest(probe_samples(last, dimension, quantity), sign, value) : value;
 }
 
 double total_volume(const exchange::SamplePoints& points) {
@@ -62,6 +60,12 @@ double of_reference(const ReferenceTable& table, Statistic statistic) {
   return nan;
 }
 
+/// As the result states, else as the case says: a run without a result still has an exact solution.
+exchange::Kinematics kinematics_solved(const RunOutcome& run, const std::string& source) {
+  if (const Result* result = run.result_of(source)) return result->used.kinematics;
+  return source == "fem" ? run.study.fem.kinematics : exchange::Kinematics::finite;
+}
+
 double exact_statistic(const ExactColumn& exact, int last, Statistic statistic) {
   switch (statistic) {
   case Statistic::max_settlement:
@@ -79,42 +83,9 @@ double exact_statistic(const ExactColumn& exact, int last, Statistic statistic) 
 
 } // namespace
 
-StatisticForm form_of(Statistic statistic) {
-  switch (statistic) {
-  case Statistic::max_settlement:
-    return {"largest settlement", "m", 1.0};
-  case Statistic::max_vertical_stress:
-    return {"largest vertical stress", "kPa", 1e-3};
-  case Statistic::mean_density:
-    return {"mean density", "kg/m³", 1.0};
-  case Statistic::base_reaction_stress:
-    return {"base reaction over area", "kPa", 1e-3};
-  case Statistic::refilled_points:
-    return {"refilled points", "", 1.0};
-  }
-  return {};
-}
-
-std::string value_text(Statistic statistic, double value, int significant) {
-  if (statistic == Statistic::refilled_points && std::isfinite(value)) return fmt::format("{:.0f}", value);
-  return number(form_of(statistic).factor * value, significant);
-}
-
-std::string difference_text(Statistic statistic, double value, double reference) {
-  if (statistic != Statistic::refilled_points) return difference(value, reference);
-  const double more = value - reference;
-  if (!std::isfinite(more)) return std::string(no_value);
-  return fmt::format("{}{:.0f}", more > 0 ? "+" : more < 0 ? "−" : "", std::abs(more));
-}
-
 double plan_area(const exchange::Case& study) {
   const double depth = study.geometry.dimension == 3 ? study.geometry.depth.value_or(study.geometry.width) : 1.0;
   return study.geometry.width * depth;
-}
-
-exchange::Kinematics kinematics_of(const RunOutcome& run, const std::string& source) {
-  if (const Result* result = run.result_of(source)) return result->used.kinematics;
-  return source == "fem" ? run.study.fem.kinematics : exchange::Kinematics::finite;
 }
 
 double measured(const RunOutcome& run, const std::string& source, Statistic statistic) {
@@ -142,11 +113,11 @@ double measured(const RunOutcome& run, const std::string& source, Statistic stat
 
 double exact_value(const RunOutcome& run, const std::string& source, Statistic statistic) {
   try {
-    const ExactColumn exact(run.study, kinematics_of(run, source));
+    const ExactColumn exact(run.study, kinematics_solved(run, source));
     return exact_statistic(exact, run.study.construction.layers, statistic);
   } catch (const exchange::InputError&) {
     return nan; // the column does not exist: it is too soft to stand
   }
 }
 
-} // namespace settle::compare::report
+} // namespace settle::compare

@@ -6,7 +6,7 @@
 #include "format.hpp"
 #include "html_parts.hpp"
 #include "reported_verdicts.hpp"
-#include "statistics.hpp"
+#include "statistic_text.hpp"
 
 namespace settle::compare {
 
