@@ -1,0 +1,168 @@
+// The phases of an explicit step, each on its own, on bodies with random points, velocities and stresses.
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "blocks.hpp"
+#include "settle/mpm/explicit_step.hpp"
+
+namespace settle::mpm::test {
+namespace {
+
+struct Scattered {
+  Body<TriangleGrid> body;
+  Nodes<2> nodes;
+};
+
+Scattered scattered(bool supported, double g = 9.81) {
+  std::mt19937 random(21);
+  Scattered state{block({.supported = supported}), {}};
+  scatter_positions(state.body, random, 0.2);
+  randomize_velocities(state.body, random);
+  randomize_stresses(state.body, random);
+  state.nodes.resize(static_cast<std::size_t>(state.body.grid.n_nodes()));
+  scatter_points(state.body, {.acceleration = g}, state.nodes);
+  return state;
+}
+
+template <class Member>
+Vector<2> sum_of(const Nodes<2>& nodes, Member member) {
+  Vector<2> sum = Vector<2>::Zero();
+  for (const auto& node : nodes)
+    sum += node.*member;
+  return sum;
+}
+
+double mass_of(const Nodes<2>& nodes) {
+  double mass = 0;
+  for (const auto& node : nodes)
+    mass += node.mass;
+  return mass;
+}
+
+TEST(ScatterPoints, ConservesMassAndMomentum) {
+  const auto [body, nodes] = scattered(false);
+  EXPECT_NEAR(mass_of(nodes) / total_mass(body.points), 1.0, 1e-14);
+  const Vector<2> momentum = total_momentum(body.points);
+  EXPECT_LT((sum_of(nodes, &NodeState<2>::momentum) - momentum).norm(), 1e-13 * total_mass(body.points));
+}
+
+TEST(ScatterPoints, ExternalForceIsTheWeightAndInternalForcesCancelOut) {
+  const auto [body, nodes] = scattered(false);
+  const Vector<2> external = sum_of(nodes, &NodeState<2>::external);
+  EXPECT_EQ(external[0], 0.0);
+  EXPECT_NEAR(external[1] / (-9.81 * total_mass(body.points)), 1.0, 1e-14);
+  double largest = 0;
+  for (const auto& node : nodes)
+    largest = std::max(largest, node.internal.norm());
+  EXPECT_GT(largest, 0.0);
+  EXPECT_LT(sum_of(nodes, &NodeState<2>::internal).norm(), 1e-13 * largest);
+}
+
+TEST(ScatterPoints, InternalForceDoesTheWorkOfTheCellsStressOverTheirFullArea) {
+  const auto [body, nodes] = scattered(false);
+  const auto field = [](const Vector<2>& x) { return Vector<2>(0.3 * x[0] - 0.2 * x[1], 0.7 * x[0] + 0.4 * x[1]); };
+  double nodal = 0, expected = 0;
+  for (int n = 0; n < body.grid.n_nodes(); ++n)
+    nodal += nodes[static_cast<std::size_t>(n)].internal.dot(field(body.grid.node_position(n)));
+  for (const int cell : body.cells.occupied) { // area * sigma : sym(gradient of the field), averages taken by hand
+    double volume = 0, xx = 0, yy = 0, xy = 0;
+    for (std::size_t p = 0; p < body.points.size(); ++p) {
+      if (body.points.cell[p] != cell) continue;
+      volume += body.points.volume[p];
+      xx += body.points.volume[p] * body.points.stress[0][p];
+      yy += body.points.volume[p] * body.points.stress[1][p];
+      xy += body.points.volume[p] * body.points.stress[3][p];
+    }
+    expected += 0.5 * 0.5 * 0.5 * (0.3 * xx + 0.4 * yy + (0.7 - 0.2) * xy) / volume;
+  }
+  EXPECT_NEAR(nodal / expected, 1.0, 1e-11);
+}
+
+TEST(ScatterPoints, ForgetsTheStepBefore) {
+  auto [body, nodes] = scattered(false);
+  const double mass = mass_of(nodes);
+  scatter_points(body, {}, nodes);
+  EXPECT_EQ(mass_of(nodes), mass);
+}
+
+TEST(UpdateNodes, DampingIsItsShareOfTheUnbalancedForceAgainstTheVelocityAndNeverTurnsTheAcceleration) {
+  auto [body, free] = scattered(false);
+  auto damped = free;
+  update_nodes(body, 0.0, free);
+  update_nodes(body, 0.75, damped);
+  int judged = 0;
+  for (std::size_t n = 0; n < free.size(); ++n)
+    for (int d = 0; d < 2; ++d) {
+      if (free[n].mass == 0.0) continue;
+      const double a = free[n].acceleration[d], b = damped[n].acceleration[d], v = free[n].momentum[d];
+      EXPECT_NEAR(std::abs(b - a), 0.75 * std::abs(a), 1e-12 * std::abs(a));
+      EXPECT_LE((b - a) * v, 0.0);
+      EXPECT_GT(a * b, 0.0);
+      ++judged;
+    }
+  EXPECT_GT(judged, 20);
+}
+
+TEST(UpdateNodes, AnUndampedNodeObeysNewton) {
+  auto [body, nodes] = scattered(false);
+  update_nodes(body, 0.0, nodes);
+  for (const auto& node : nodes)
+    if (node.mass > 0.0) {
+      EXPECT_LT((node.mass * node.acceleration - (node.external - node.internal)).norm(), 1e-10 * node.external.norm());
+    }
+}
+
+TEST(UpdateNodes, WhatIsNotAcceleratedIsCarriedByTheBase) {
+  auto [body, nodes] = scattered(true);
+  const auto sums = update_nodes(body, 0.0, nodes);
+  double free_vertical = 0;
+  for (const auto& node : nodes)
+    free_vertical += node.mass * node.acceleration[1];
+  EXPECT_NEAR(sums.base_reaction, 9.81 * total_mass(body.points) + free_vertical, 1e-9 * sums.external);
+}
+
+TEST(UpdateVelocityAndRemap, ConservesTheMomentumOfTheUpdatedPoints) {
+  auto [body, nodes] = scattered(false);
+  const Vector<2> before = total_momentum(body.points);
+  update_nodes(body, 0.75, nodes);
+  Vector<2> impulse = Vector<2>::Zero();
+  const double dt = 1e-3;
+  for (const auto& node : nodes)
+    impulse += dt * node.mass * node.acceleration;
+  update_velocity_and_remap(body, dt, nodes);
+  const Vector<2> after = total_momentum(body.points);
+  const double scale = total_mass(body.points);
+  EXPECT_GT(impulse.norm(), 1e-4 * scale);
+  EXPECT_LT((after - before - impulse).norm(), 1e-13 * scale);
+  EXPECT_LT((sum_of(nodes, &NodeState<2>::remapped) - after).norm(), 1e-13 * scale);
+}
+
+TEST(UpdateStressAndMove, NothingMovesThroughAFrictionlessSupport) {
+  auto [body, nodes] = scattered(true);
+  const auto lowest_and_outermost = [&body = body] {
+    const auto& [x, y] = body.points.position;
+    const auto [left, right] = std::minmax_element(x.begin(), x.end());
+    return std::array{*left, body.grid.width() - *right, *std::min_element(y.begin(), y.end())};
+  };
+  for (int k = 0; k < 200; ++k) {
+    const double dt = stable_time_step(body, 0.5);
+    scatter_points(body, {.acceleration = 9.81}, nodes);
+    update_nodes(body, 0.0, nodes);
+    update_velocity_and_remap(body, dt, nodes);
+    update_stress_and_move(body, {.acceleration = 9.81}, dt, nodes);
+    for (const double distance : lowest_and_outermost())
+      ASSERT_GT(distance, 0.0) << "step " << k;
+  }
+  for (int n = 0; n < body.grid.n_nodes(); ++n)
+    for (int d = 0; d < 2; ++d)
+      if (body.fixed[static_cast<std::size_t>(n)][static_cast<std::size_t>(d)]) {
+        EXPECT_EQ(nodes[static_cast<std::size_t>(n)].acceleration[d], 0.0);
+      }
+}
+
+} // namespace
+} // namespace settle::mpm::test

@@ -1,0 +1,131 @@
+// One quasi-static increment.
+
+#include <cmath>
+#include <random>
+
+#include <gmock/gmock.h>
+
+#include "blocks.hpp"
+#include "settle/mpm/quasi_static_step.hpp"
+
+namespace settle::mpm::test {
+namespace {
+
+constexpr double tolerance = 1e-10;
+
+/// Points off their initial places, each with a stress of its own: nothing is symmetric, every cell differs.
+Body<TriangleGrid> distorted_block(StressIntegration integration) {
+  std::mt19937 random(11);
+  auto body = block({.columns = 3, .rows = 5, .filled_rows = 4});
+  body.integration = integration;
+  scatter_positions(body, random, 0.05);
+  randomize_stresses(body, random);
+  return body;
+}
+
+void expect_quadratic(const std::vector<double>& residuals) {
+  int judged = 0;
+  for (std::size_t k = 1; k + 1 < residuals.size(); ++k) {
+    if (residuals[k] > 0.1 || residuals[k + 1] < 1e-13) continue; // not near the solution yet, or at round-off
+    const double order = std::log(residuals[k + 1] / residuals[k]) / std::log(residuals[k] / residuals[k - 1]);
+    EXPECT_GT(order, 1.7) << "iteration " << k + 1;
+    ++judged;
+  }
+  EXPECT_GE(judged, 2) << testing::PrintToString(residuals);
+}
+
+TEST(QuasiStaticStep, NewtonConvergesQuadraticallyUnderLargeStrainOverFullCells) {
+  auto body = distorted_block(StressIntegration::full_cells);
+  const auto report = QuasiStaticStep<TriangleGrid>(tolerance).advance(body, {.acceleration = 40.0});
+  EXPECT_TRUE(report.converged);
+  EXPECT_GT(report.largest_displacement, 0.2 * body.grid.size());
+  expect_quadratic(report.residuals);
+}
+
+TEST(QuasiStaticStep, NewtonConvergesQuadraticallyUnderLargeStrainOverThePointsVolumes) {
+  auto body = distorted_block(StressIntegration::points);
+  const auto report = QuasiStaticStep<TriangleGrid>(tolerance).advance(body, {.acceleration = 40.0});
+  EXPECT_TRUE(report.converged);
+  expect_quadratic(report.residuals);
+}
+
+TEST(QuasiStaticStep, ReportsOneResidualMoreThanLinearSolvesAndTheLastBelowTheTolerance) {
+  auto body = block();
+  const auto report = QuasiStaticStep<TriangleGrid>(tolerance).advance(body, {});
+  EXPECT_EQ(report.residuals.size(), static_cast<std::size_t>(report.linear_solves) + 1);
+  EXPECT_EQ(report.out_of_balance, report.residuals.back());
+  EXPECT_LE(report.out_of_balance, tolerance);
+}
+
+/// A square that carries the same load at both upper nodes: masses of two points are chosen for that, the others have
+/// none. The load at each node is 8/9 of `mass` times g.
+Body<TriangleGrid> evenly_loaded_square(double mass) {
+  auto body = block({.columns = 1, .rows = 2, .filled_rows = 1, .size = 1.0});
+  for (std::size_t p = 0; p < body.points.size(); ++p) {
+    const Vector<2> x = body.points.position_of(p);
+    body.points.mass[p] = 0.0;
+    if ((x - Vector<2>(1.0 / 6.0, 2.0 / 3.0)).norm() < 1e-9) body.points.mass[p] = mass;
+    if ((x - Vector<2>(5.0 / 6.0, 5.0 / 6.0)).norm() < 1e-9) body.points.mass[p] = mass * 4.0 / 3.0;
+  }
+  return body;
+}
+
+TEST(QuasiStaticStep, UniformConfinedCompressionIsThatOfItsClosedForm) {
+  const double mass = 6000.0, g = 9.81;
+  auto body = evenly_loaded_square(mass);
+  const auto report = QuasiStaticStep<TriangleGrid>(tolerance).advance(body, {.acceleration = g});
+  ASSERT_TRUE(report.converged);
+
+  const double pressure = 2.0 * 8.0 / 9.0 * mass * g;                // two nodes over a side of 1 m
+  const double strain = -pressure / body.lame.constrained_modulus(); // half way: 2 (s - 1)/(s + 1)
+  const double stretch = (1.0 + 0.5 * strain) / (1.0 - 0.5 * strain);
+  EXPECT_LT(strain, -0.2);
+  for (std::size_t p = 0; p < body.points.size(); ++p) {
+    EXPECT_NEAR(body.points.stress[1][p] / -pressure, 1.0, 1e-8);
+    EXPECT_NEAR(body.points.stress[0][p] / (-pressure / 3.0), 1.0, 1e-8); // nu/(1 - nu) with nu = 1/4
+    EXPECT_NEAR(body.points.stress[2][p] / (-pressure / 3.0), 1.0, 1e-8);
+    EXPECT_NEAR(body.points.stress[3][p], 0.0, 1e-8 * pressure);
+    EXPECT_NEAR(body.points.position[1][p], stretch * body.points.placed[1][p], 1e-9);
+    EXPECT_NEAR(body.points.position[0][p], body.points.placed[0][p], 1e-14);
+    EXPECT_NEAR(body.points.volume[p], stretch / 6.0, 1e-9);
+  }
+  EXPECT_NEAR(report.base_reaction / (mass * 7.0 / 3.0 * g), 1.0, 1e-8);
+}
+
+TEST(QuasiStaticStep, BaseCarriesTheWeightOfADistortedBody) {
+  auto body = distorted_block(StressIntegration::full_cells);
+  const auto report = QuasiStaticStep<TriangleGrid>(tolerance).advance(body, {.acceleration = 9.81});
+  EXPECT_NEAR(report.base_reaction / (9.81 * total_mass(body.points)), 1.0, 1e-9);
+}
+
+TEST(QuasiStaticStep, TheSameLoadOnceMoreMovesAStationaryBodyOnlyByWhatItsPointsHaveMovedWithinTheirCells) {
+  auto body = block();
+  QuasiStaticStep<TriangleGrid> step(tolerance);
+  const auto first = step.advance(body, {});
+  const auto second = step.advance(body, {});
+  EXPECT_TRUE(second.converged);
+  EXPECT_LT(second.largest_displacement, 0.2 * first.largest_displacement);
+}
+
+TEST(QuasiStaticStep, AFractionBalancesThatShareOfWhatIsOutOfBalance) {
+  auto whole = block(), half = block();
+  QuasiStaticStep<TriangleGrid> step(tolerance);
+  const Gravity gentle{.acceleration = 1e-3}; // small enough to be linear
+  const double all = step.advance(whole, gentle).largest_displacement;
+  const double part = step.advance(half, gentle, 0.25).largest_displacement;
+  EXPECT_NEAR(part / all, 0.25, 1e-4);
+}
+
+TEST(QuasiStaticStep, ABodyThatCannotBeBalancedIsLeftAsItWas) {
+  auto body = distorted_block(StressIntegration::full_cells);
+  const auto before = body.points;
+  const auto report = QuasiStaticStep<TriangleGrid>(tolerance).advance(body, {.acceleration = 1e5});
+  EXPECT_FALSE(report.converged);
+  EXPECT_FALSE(report.residuals.empty());
+  EXPECT_EQ(body.points.position, before.position);
+  EXPECT_EQ(body.points.stress, before.stress);
+  EXPECT_EQ(body.points.volume, before.volume);
+}
+
+} // namespace
+} // namespace settle::mpm::test

@@ -1,0 +1,167 @@
+// Refill: when points are added, how many, where.
+
+#include <cmath>
+#include <numeric>
+
+#include <gtest/gtest.h>
+
+#include "blocks.hpp"
+#include "settle/mpm/refill.hpp"
+
+namespace settle::mpm::test {
+namespace {
+
+using exchange::RefillRule;
+
+constexpr double row = 0.5 / 6.0; ///< height of a full refilled row [m]
+
+/// Three squares high, up to 1.5 m.
+Body<TriangleGrid> body_below_gap(int columns = 1) {
+  return block({.columns = columns, .rows = 6, .filled_rows = 3});
+}
+
+Refill refill_to(double level, RefillRule rule = RefillRule::sub_element) {
+  return {.rule = rule, .layer = 4, .lower_level = 1.0, .design_level = level};
+}
+
+double mean_height(const Body<TriangleGrid>& body) {
+  return total_volume(body.points) / body.grid.width();
+}
+
+TEST(RefillWhereDue, AddsARowAsSoonAsTheGapExceedsHalfItsHeightAndNotBefore) {
+  const auto rows_added = [](double gap_in_rows) {
+    auto body = body_below_gap();
+    return refill_where_due(body, refill_to(1.5 + gap_in_rows * row)) / 2;
+  };
+  EXPECT_EQ(rows_added(0.0), 0);
+  EXPECT_EQ(rows_added(0.49), 0);
+  EXPECT_EQ(rows_added(0.51), 1);
+  EXPECT_EQ(rows_added(1.49), 1);
+  EXPECT_EQ(rows_added(1.51), 2);
+  EXPECT_EQ(rows_added(3.51), 4);
+}
+
+TEST(RefillWhereDue, LeavesADeficitThatIsNeverMoreThanHalfARowAndZeroInTheMean) {
+  double sum = 0;
+  const int samples = 400;
+  for (int k = 0; k < samples; ++k) {
+    const double level = 1.5 + 4.0 * row * (k + 0.5) / samples;
+    auto body = body_below_gap();
+    refill_where_due(body, refill_to(level));
+    const double deficit = level - mean_height(body);
+    EXPECT_LE(std::abs(deficit), 0.5 * row * (1.0 + 1e-9));
+    sum += deficit;
+  }
+  EXPECT_NEAR(sum / samples, 0.0, 1e-3 * row);
+}
+
+TEST(RefillWhereDue, SettlesOnceAndAddsNothingTheSecondTime) {
+  auto body = body_below_gap();
+  const auto refill = refill_to(1.5 + 2.3 * row);
+  EXPECT_GT(refill_where_due(body, refill), 0);
+  EXPECT_EQ(refill_where_due(body, refill), 0);
+}
+
+TEST(RefillWhereDue, FillsOnlyTheColumnsOfSquaresThatHaveSettled) {
+  auto body = body_below_gap(3);
+  for (std::size_t p = 0; p < body.points.size(); ++p)
+    if (body.grid.column_of(body.points.cell[p]) == 1) body.points.volume[p] *= 0.9; // 1.35 m: 1.8 rows short
+  EXPECT_EQ(refill_where_due(body, refill_to(1.5)), 4);
+  for (std::size_t p = 0; p < body.points.size(); ++p)
+    if (body.points.refilled[p] != 0) {
+      EXPECT_EQ(body.grid.column_of(body.points.cell[p]), 1);
+    }
+}
+
+TEST(RefillWhereDue, StacksItsRowsDownwardsFromTheDesignLevel) {
+  auto body = body_below_gap();
+  const double level = 1.5 + 2.0 * row;
+  refill_where_due(body, refill_to(level));
+  for (std::size_t p = 0; p < body.points.size(); ++p)
+    if (body.points.refilled[p] != 0) {
+      const double below = (level - body.points.position[1][p]) / row;
+      EXPECT_TRUE(std::abs(below - 0.5) < 1e-9 || std::abs(below - 1.5) < 1e-9) << below;
+    }
+}
+
+TEST(CloseGap, ClosesEveryColumnExactly) {
+  auto body = body_below_gap(3);
+  for (std::size_t p = 0; p < body.points.size(); ++p) // 0.3, 0.6 and 0.9 times a row and whole rows short
+    body.points.volume[p] *= 1.0 - row * 1.3 * (1 + body.grid.column_of(body.points.cell[p])) / 1.5;
+  EXPECT_GT(close_gap(body, refill_to(1.5)), 0);
+  for (const double height : column_heights(body))
+    EXPECT_NEAR(height, 1.5, 1e-13);
+}
+
+TEST(CloseGap, LeavesAGapOpenThatIsBelowHalfAPercentOfARow) {
+  auto body = body_below_gap();
+  EXPECT_EQ(close_gap(body, refill_to(1.5 + 0.004 * row)), 0);
+  EXPECT_EQ(close_gap(body, refill_to(1.5 + 0.006 * row)), 2);
+}
+
+TEST(Refill, GivesNothingToAColumnAboveItsDesignLevel) {
+  auto body = body_below_gap();
+  EXPECT_EQ(refill_where_due(body, refill_to(1.2)), 0);
+  EXPECT_EQ(close_gap(body, refill_to(1.2)), 0);
+}
+
+TEST(Refill, DoesNothingWithoutARule) {
+  auto body = body_below_gap();
+  Refill none = refill_to(2.0);
+  none.rule.reset();
+  EXPECT_EQ(refill_where_due(body, none), 0);
+  EXPECT_EQ(close_gap(body, none), 0);
+}
+
+TEST(Refill, AddsTheMassOfTheVolumeItFillsAtTheDensityAsPlaced) {
+  auto body = body_below_gap(2);
+  const double mass = total_mass(body.points), volume = total_volume(body.points);
+  const int added = close_gap(body, refill_to(1.5 + 1.7 * row));
+  EXPECT_EQ(added, 8); // a whole and a partial row in both columns, two points each
+  EXPECT_NEAR(total_volume(body.points) - volume, 1.7 * row * body.grid.width(), 1e-13);
+  EXPECT_NEAR((total_mass(body.points) - mass) / (block_density * 1.7 * row * body.grid.width()), 1.0, 1e-11);
+}
+
+/// Compressed until only the lower left triangles of the top row of squares still hold points.
+Body<TriangleGrid> body_with_empty_cells() {
+  auto body = body_below_gap(2);
+  for (double& y : body.points.position[1])
+    y *= 0.72;
+  body.sort();
+  return body;
+}
+
+TEST(RefillByElement, FillsEveryEmptyCellOfTheLayerAndNoOther) {
+  auto body = body_with_empty_cells();
+  const auto empty_in = [&body](int first_row, int last_row) {
+    int empty = 0;
+    for (int cell = 2 * body.grid.columns() * first_row; cell < 2 * body.grid.columns() * last_row; ++cell)
+      empty += body.cells.is_empty(cell) ? 1 : 0;
+    return empty;
+  };
+  const int empty_cells = empty_in(2, 3), empty_above = empty_in(3, 6);
+  ASSERT_GT(empty_cells, 0);
+  EXPECT_EQ(refill_where_due(body, refill_to(1.5, RefillRule::element)), 3 * empty_cells);
+  EXPECT_EQ(empty_in(2, 3), 0);
+  EXPECT_EQ(empty_in(3, 6), empty_above);
+  EXPECT_EQ(refill_where_due(body, refill_to(1.5, RefillRule::element)), 0);
+}
+
+TEST(RefillByElement, LeavesCellsThatHoldASinglePointAlone) {
+  auto body = body_below_gap();
+  for (double& y : body.points.position[1])
+    y *= 0.99; // settled, but no cell is empty
+  body.sort();
+  EXPECT_EQ(refill_where_due(body, refill_to(1.5, RefillRule::element)), 0);
+  EXPECT_EQ(close_gap(body, refill_to(1.5, RefillRule::element)), 0);
+}
+
+TEST(RefillByElement, DoesNotLookBelowTheLayerUnderConstruction) {
+  auto body = body_with_empty_cells();
+  Refill refill = refill_to(1.5, RefillRule::element);
+  refill.lower_level = 1.5;
+  EXPECT_EQ(refill_where_due(body, refill), 0);
+}
+
+} // namespace
+} // namespace settle::mpm::test
