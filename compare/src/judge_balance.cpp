@@ -27,11 +27,16 @@ double relative(double value, double reference) {
   return std::abs(value - reference) / std::abs(reference);
 }
 
-double point_mass(const Stage& stage) {
-  return std::inner_product(stage.points.density.begin(), stage.points.density.end(), stage.points.volume.begin(), 0.0);
+/// Density x volume; where the geometry is frozen (small strain) volumes stay as placed, and so must the density.
+double point_mass(const Stage& stage, const exchange::Used& used) {
+  const std::vector<double>& volume = stage.points.volume;
+  if (used.kinematics == exchange::Kinematics::small) {
+    return used.density * std::accumulate(volume.begin(), volume.end(), 0.0);
+  }
+  return std::inner_product(stage.points.density.begin(), stage.points.density.end(), volume.begin(), 0.0);
 }
 
-std::vector<Audit> mass_audits(double gravity) {
+std::vector<Audit> mass_audits(double gravity, const exchange::Used& used) {
   constexpr double round_off = 1e-12;
   constexpr double summed = 1e-9;
   return {
@@ -41,7 +46,7 @@ std::vector<Audit> mass_audits(double gravity) {
                          stage.mass);
        }},
       {"mass of all points = mass", summed, "mass", "round-off of density x volume over many steps",
-       [](const Stage& stage, const Stage*) { return relative(point_mass(stage), stage.mass); }},
+       [used](const Stage& stage, const Stage*) { return relative(point_mass(stage, used), stage.mass); }},
       {"weight = gravity x mass", round_off, "weight", "the same quantity: round-off",
        [gravity](const Stage& stage, const Stage*) { return relative(gravity * stage.mass, stage.weight); }},
   };
@@ -143,7 +148,7 @@ std::vector<Verdict> judge_balance(const RunOutcome& run) {
     if (!solver.result) continue;
     const Result& result = *solver.result;
     verdicts.push_back(judge_stages(run, solver.solver, result));
-    for (const Audit& audit : mass_audits(run.study.gravity)) {
+    for (const Audit& audit : mass_audits(run.study.gravity, result.used)) {
       verdicts.push_back(judge_audit(run, solver.solver, result, audit));
     }
     if (asks_for_equilibrium(run.study, solver.solver)) {

@@ -174,6 +174,15 @@ TEST(Judge, PointsThatDoNotSumToTheMassFail) {
   EXPECT_EQ(find(judge_balance(run), "mpm: mass of all points").status, Status::failed);
 }
 
+TEST(Judge, WithFrozenGeometryTheDensityAsPlacedMakesTheMass) {
+  RunOutcome run = run_with({});
+  for (double& density : result_in(run, "fem").stages[2].points.density)
+    density *= 1.1; // of the strained material
+  EXPECT_EQ(find(judge_balance(run), "fem: mass of all points").status, Status::passed);
+  result_in(run, "fem").stages[2].points.volume[0] *= 1.01;
+  EXPECT_EQ(find(judge_balance(run), "fem: mass of all points").status, Status::failed);
+}
+
 TEST(Judge, ANanInTheBalanceIsMissing) {
   RunOutcome run = run_with({});
   result_in(run, "mpm").stages[0].base_reaction = NAN;

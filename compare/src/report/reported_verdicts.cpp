@@ -89,7 +89,9 @@ std::string count_text(const std::map<Status, int>& counts) {
 }
 
 std::string value_text(const Verdict& verdict, double value) {
-  return verdict.kind == "check" ? ratio(value) : number(value, 3);
+  if (verdict.kind == "check") return ratio(value);
+  const bool counted = std::trunc(value) == value && std::abs(value) < 1e6;
+  return counted ? fmt::format("{:.0f}", value) : number(value, 3);
 }
 
 std::string accepted_band(const Verdict& verdict) {

@@ -1,0 +1,83 @@
+#include <array>
+
+#include <gmock/gmock.h>
+
+#include "command_line.hpp"
+
+namespace settle::compare::test {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+/// The solvers that are built, called as `settle` calls them.
+class SolverProgram : public CommandLine, public testing::WithParamInterface<const char*> {
+protected:
+  [[nodiscard]] std::filesystem::path written() const { return folder.path() / "result.h5"; }
+  [[nodiscard]] Answer solve(std::vector<std::string> more) const {
+    std::vector<std::string> arguments{case_file.string(), "--out", written().string(), "--quiet"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run_program(GetParam(), arguments);
+  }
+  void expect_refused(const std::vector<std::string>& more, const std::string& message) const {
+    const Answer answer = solve(more);
+    EXPECT_EQ(answer.code, 2) << answer.text;
+    EXPECT_THAT(answer.text, HasSubstr(message));
+    EXPECT_FALSE(std::filesystem::exists(written()));
+  }
+};
+
+TEST_P(SolverProgram, WritesAResultThatCanBeCompared) {
+  EXPECT_EQ(solve({}).code, 0);
+  const Answer answer = settle({"compare", written().string(), "exact", "--limit", "0.05"});
+  EXPECT_EQ(answer.code, 0) << answer.text;
+}
+
+TEST_P(SolverProgram, RefusesWrongInput) {
+  expect_refused({"--set", "material.fill.youngs_modulos=1e5"}, "did you mean youngs_modulus?");
+  expect_refused({"--set", "material.fill.youngs_modulus=stiff"}, "youngs_modulus");
+  expect_refused({"--set", "material.fill.youngs_modulus=-1"}, "-1");
+  expect_refused({"--set", "material.fill.poissons_ratio=0.5"}, "0.5");
+}
+
+TEST_P(SolverProgram, RefusesALayerThatIsNoMultipleOfTheElement) {
+  const Answer answer = solve({"--set", "construction.layers=7"});
+  EXPECT_EQ(answer.code, 2) << answer.text;
+  EXPECT_THAT(answer.text, HasSubstr("element_size"));
+  EXPECT_FALSE(std::filesystem::exists(written()));
+}
+
+TEST_P(SolverProgram, RefusesACaseThatIsNotThere) {
+  const Answer answer = run_program(GetParam(), {"/nowhere/case.toml", "--out", written().string()});
+  EXPECT_EQ(answer.code, 2);
+  EXPECT_THAT(answer.text, HasSubstr("/nowhere/case.toml"));
+}
+
+TEST_P(SolverProgram, AnOutputThatCannotBeWrittenIsExitCodeFour) {
+  const auto occupied = folder.file("occupied", "a file, not a folder");
+  const Answer answer = run_program(GetParam(), {case_file.string(), "--out", (occupied / "r.h5").string(), "--quiet"});
+  EXPECT_EQ(answer.code, 4);
+  EXPECT_THAT(answer.text, HasSubstr("occupied"));
+  EXPECT_EQ(content_of(occupied), "a file, not a folder");
+}
+
+TEST_P(SolverProgram, AnEarlierResultIsUntouchedByAMistake) {
+  const auto earlier = folder.file("result.h5", "an earlier result");
+  EXPECT_EQ(solve({"--set", "gravity=-1"}).code, 2);
+  EXPECT_EQ(content_of(earlier), "an earlier result");
+}
+
+TEST_P(SolverProgram, ChecksWithoutRunning) {
+  const Answer answer = run_program(GetParam(), {case_file.string(), "--check"});
+  EXPECT_EQ(answer.code, 0) << answer.text;
+  EXPECT_EQ(run_program(GetParam(), {case_file.string(), "--check", "--set", "construction.layers=7"}).code, 2);
+}
+
+constexpr std::array solver_programs{SETTLE_SOLVERS};
+INSTANTIATE_TEST_SUITE_P(Built, SolverProgram, testing::ValuesIn(solver_programs), [](const auto& parameters) {
+  const std::string path = parameters.param;
+  return path.substr(path.rfind('-') + 1);
+});
+
+} // namespace
+} // namespace settle::compare::test
