@@ -133,6 +133,19 @@ TEST(Page, NeverShowsNotANumberAsPassed) {
   EXPECT_THAT(page, Not(HasSubstr(">nan")));
 }
 
+TEST(Page, ShowsChecksInPercentAndAuditsAsTheyAre) {
+  CampaignOutcome outcome = synthetic_campaign({.runs = 1});
+  outcome.runs[0].verdicts[0] = verdict_of(Status::passed, "a band", 1.0, 1.013);
+  outcome.runs[0].verdicts[0].at_least = 0.987;
+  outcome.runs[0].verdicts[1] = verdict_of(Status::passed, "stages", 5.0, 5.0);
+  outcome.runs[0].verdicts[1].at_least = 5.0;
+  outcome.runs[0].verdicts[1].kind = "audit";
+  const std::string page = html_report(outcome);
+  EXPECT_THAT(page, HasSubstr(">98.7 % … 101 %<"));
+  EXPECT_THAT(page, HasSubstr(">1 %<")); // 0.013 of 1.013 are left on either side
+  EXPECT_THAT(page, HasSubstr("data-label=\"Accepted\">5<"));
+}
+
 TEST(Page, MarksRunsThatAreOutOfEquilibrium) {
   CampaignOutcome outcome = synthetic_campaign();
   EXPECT_THAT(html_report(outcome), Not(HasSubstr("out of equilibrium")));
