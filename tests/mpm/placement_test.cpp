@@ -125,5 +125,16 @@ TEST(Placement, ARefilledRowFillsItsHeightAcrossOneColumnOfSquares) {
   EXPECT_NEAR(body.points.position[0][before + 1], 1.05, 1e-14);
 }
 
+TEST(Placement, ALayerPlacedOnALoadedBodyIsStressFreeAndChangesNothingBelow) {
+  auto body = block({.columns = 2, .rows = 5, .filled_rows = 2});
+  for (auto& component : body.points.stress)
+    std::fill(component.begin(), component.end(), -7e3);
+  place_layer(body, {.layer = 2, .base = 0.9, .thickness = 1.0}); // some of it in cells that are occupied already
+  body.sort();
+  for (std::size_t p = 0; p < body.points.size(); ++p)
+    for (const auto& component : body.points.stress)
+      EXPECT_EQ(component[p], body.points.layer[p] == 1 ? -7e3 : 0.0);
+}
+
 } // namespace
 } // namespace settle::mpm::test

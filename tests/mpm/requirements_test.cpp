@@ -1,0 +1,54 @@
+// What this solver cannot run, and how it says so.
+
+#include <gmock/gmock.h>
+
+#include "paper_column.hpp"
+#include "settle/exchange/errors.hpp"
+#include "settle/mpm/requirements.hpp"
+#include "settle/mpm/solver.hpp"
+
+namespace settle::mpm::test {
+namespace {
+
+using testing::HasSubstr;
+
+void expect_refused(const Overrides& overrides, const std::string& where, const std::string& allowed) {
+  try {
+    require_solvable(paper_column(overrides));
+    FAIL() << overrides.front() << " was accepted";
+  } catch (const exchange::InputError& error) {
+    EXPECT_EQ(error.code(), exchange::ExitCode::bad_input);
+    EXPECT_THAT(error.what(), testing::AllOf(HasSubstr(where), HasSubstr(allowed)));
+  }
+}
+
+TEST(Requirements, ThePapersColumnCanBeRun) {
+  EXPECT_NO_THROW(require_solvable(paper_column()));
+}
+
+TEST(Requirements, NamesTheKeyItsPlaceAndTheValueThatCanBeRun) {
+  expect_refused({"geometry.dimension=3"}, "--set geometry.dimension=3", "set geometry.dimension = 2");
+  expect_refused({"mpm.element=quadrilateral"}, "--set mpm.element=quadrilateral", "set mpm.element = \"triangle\"");
+  expect_refused({"mpm.points_per_element=4"}, "--set mpm.points_per_element=4", "set mpm.points_per_element = 3");
+  expect_refused({"mpm.basis=gimp"}, "--set mpm.basis=gimp", "set mpm.basis = \"linear\"");
+  expect_refused({"material.fill.law=hencky"}, "--set material.fill.law=hencky", "set material.fill.law = \"rate\"");
+}
+
+TEST(Requirements, ElementsHaveToDivideALayerAndTheWidth) {
+  expect_refused({"mpm.element_size=0.3"}, "--set mpm.element_size=0.3", "0.125");
+  expect_refused({"geometry.width=0.2"}, "mpm.element_size", "");
+}
+
+TEST(Used, IsWhatTheCaseAsksForWithFiniteKinematics) {
+  const auto values = used(paper_column({"construction.convention=level-up"}));
+  EXPECT_NEAR(values.youngs_modulus, 400e3, 1e-6);
+  EXPECT_NEAR(values.poissons_ratio, 0.25, 1e-14);
+  EXPECT_EQ(values.density, 1720.0);
+  EXPECT_EQ(values.gravity, 9.81);
+  EXPECT_EQ(values.kinematics, exchange::Kinematics::finite);
+  EXPECT_EQ(values.convention, exchange::Convention::level_up);
+  EXPECT_EQ(values.dimension, 2);
+}
+
+} // namespace
+} // namespace settle::mpm::test
