@@ -49,11 +49,12 @@ TEST(QuasiStaticColumn, PlacedOnTheSettledSurfaceIsTheExactOneAtEveryStage) {
       const auto errors = errors_of(study, so_far);
       // a stress constant in elements of height h misses a linear one over H by h/(2 H); measured up to 6.5 % at stage
       // 1
-      EXPECT_LE(errors.settlement, 0.005);
+      EXPECT_LE(errors.settlement, 0.012); // measured 0.99 % for the first layer alone, eight elements high
       EXPECT_LE(errors.vertical_stress, 1.1 * 0.125 / (2.0 * exact.surface(stage.layer)));
       EXPECT_NEAR(stage.surface_height / exact.surface(stage.layer), 1.0, 5e-4);
       EXPECT_NEAR(weight_per_area(study, stage) / exact.weight(stage.layer), 1.0, 5e-4);
     }
+    EXPECT_LE(errors_of(study, so_far).settlement, 0.005) << convention;      // measured 0.26, 0.29 %
     EXPECT_LE(errors_of(study, so_far).vertical_stress, 0.008) << convention; // measured 0.58, 0.55 %
   }
 }
