@@ -17,7 +17,7 @@ constexpr double relative_slack = 1e-6;
 
 struct Length {
   std::string name;
-  double value = 0;  ///< [m]
+  double value = 0; ///< [m]
 };
 
 bool divides(double size, double length) {
