@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "refinement_consistency.hpp"
 #include "settle/exchange/spelling.hpp"
 
 namespace settle::exchange {
@@ -97,6 +98,7 @@ void check_consistency(const Case& study, Reading& reading) {
     check_layers(study.checks[number], key, study, reading);
     check_band(study.checks[number], key, study, reading);
   }
+  if (study.converge) check_refinement(study, reading);
 }
 
 } // namespace settle::exchange

@@ -88,6 +88,8 @@ KeyTable<Mpm> mpm_keys() {
   keys.choice("integration", &Mpm::integration,
               {.doc = "internal force from the cell's averaged stress over its full area, or from the points"});
   keys.choice("refill", &Mpm::refill, {.doc = "material is added in rows of points, or in whole empty elements"});
+  keys.boolean("jaumann", &Mpm::jaumann,
+               {.doc = "law rate: rotate the stress with the material (Jaumann rate); matters where layers rotate"});
   keys.boolean("average_stress", &Mpm::average_stress,
                {.doc = "replace point stresses by the cell's average after each move"});
   keys.choice("scheme", &Mpm::scheme, {.doc = "implicit increments of gravity, or damped time steps"});
@@ -155,6 +157,54 @@ KeyTable<Check> check_keys_table() {
   return keys;
 }
 
+KeyTable<ExpectedConvergence> expectation_keys() {
+  using Expected = ExpectedConvergence;
+  KeyTable<Expected> keys("What is expected of a solver when its errors are followed over the levels of `[converge]`.");
+  keys.text("solver", &Expected::solver, {.required = true, .doc = "`\"mpm\"` or `\"fem\"`"});
+  keys.choice("quantity", &Expected::quantity, {.required = true, .doc = "what is compared, after the last stage"});
+  keys.choice("norm", &Expected::norm, {.doc = "as in `[[check]]`"});
+  keys.choice_or_left_out("over", &Expected::over, Over::automatic,
+                          {.doc = "native points of the solver, or the case's probes"});
+  keys.choice("against", &Expected::against,
+              {.doc = "errors against the exact solution, or changes of the norm itself from level to level"});
+  keys.choice_or_left_out("verdict", &Expected::verdict, Convergence::undetermined,
+                          {.doc = "see docs/convergence.md; a case may expect that there is no convergence"});
+  keys.real("order", &Expected::order,
+            {.range = above(0), .left_out = "none", .doc = "expected order; required where `converging` is expected"});
+  keys.reals("band", &Expected::band,
+             {.range = at_least(0),
+              .count = {.least = 2, .most = 2},
+              .doc = "how far below and above `order` the fitted order may lie"});
+  keys.real(
+      "finest_at_most", &Expected::finest_at_most,
+      {.range = above(0),
+       .left_out = "not judged",
+       .doc = "largest relative error accepted on the finest level; against itself: largest grid convergence index"});
+  keys.real("above_fit_at_most", &Expected::above_fit_at_most,
+            {.range = at_least(1),
+             .left_out = "not judged",
+             .doc = "how many times the fitted line an error may be, on any level"});
+  keys.text("why", &Expected::why, {.doc = "the reason for what is expected, shown in reports"});
+  return keys;
+}
+
+KeyTable<Refinement> refinement_keys() {
+  KeyTable<Refinement> keys(
+      "The levels of a refinement study, coarse to fine. All lists have one entry for each level, at least three.");
+  keys.reals("element_size", &Refinement::element_size,
+             {.unit = "m",
+              .range = above(0),
+              .count = {.least = 3},
+              .left_out = "not varied",
+              .doc = "`mpm.element_size` and `fem.element_size` of each level"});
+  keys.toml_lists("set", &Refinement::set, {.doc = "further keys of the case with their values on each level"});
+  keys.choice("size", &Refinement::size,
+              {.doc = "what orders refer to: the solver's element size, the thickness of a layer, or one over the "
+                      "solver's increments"});
+  keys.table_array("expect", &Refinement::expectations, expectation_keys());
+  return keys;
+}
+
 } // namespace
 
 KeyTable<Case> case_keys() {
@@ -176,6 +226,7 @@ KeyTable<Case> case_keys() {
   keys.named_tables("probes", &Case::probes, probes_keys());
   keys.named_tables("reference", &Case::references, reference_keys());
   keys.table_array("check", &Case::checks, check_keys_table());
+  keys.table("converge", &Case::converge, refinement_keys());
   return keys;
 }
 

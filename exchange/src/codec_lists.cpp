@@ -88,6 +88,7 @@ std::string ListCodec<M>::allowed() const {
 }
 
 template class ListCodec<int>;
+template class ListCodec<double>;
 template class ListCodec<std::string>;
 
 void TomlValuesCodec::read(const Given& given, Member& member, Reading& reading) const {

@@ -171,3 +171,32 @@ TEST(CaseEcho, StatesDefaults) {
   for (const char* line : {"element_size = 0.125", "hold = \"equilibrium\"", "increments = 20", "residual = 1e-09"})
     EXPECT_NE(echo.find(line), std::string::npos) << line << " in\n" << echo;
 }
+
+TEST(CaseReading, ARefinementHasItsLevelsAndWhatIsExpected) {
+  const Refinement refinement = parse_case(full_case, "full.toml").converge.value();
+  EXPECT_EQ(refinement.levels(), 3U);
+  EXPECT_EQ(refinement.element_size, (std::vector<double>{0.5, 0.25, 0.125}));
+  EXPECT_EQ(refinement.set.at("mpm.quasi_static.increments"), (std::vector<std::string>{"5", "10", "20"}));
+  EXPECT_EQ(refinement.set.at("construction.convention").front(), "\"drop\"");
+  EXPECT_EQ(refinement.size, RefinedSize::increment);
+  ASSERT_EQ(refinement.expectations.size(), 2U);
+  const ExpectedConvergence& first = refinement.expectations[0];
+  EXPECT_EQ(first.solver, "mpm");
+  EXPECT_EQ(first.quantity, Quantity::vertical_stress);
+  EXPECT_EQ(first.norm, Norm::linf);
+  EXPECT_EQ(first.over, Over::probes);
+  EXPECT_EQ(first.order, 2.0);
+  EXPECT_EQ(first.band, (std::vector<double>{0.1, 0.3}));
+  EXPECT_EQ(first.finest_at_most, 0.01);
+  EXPECT_EQ(first.above_fit_at_most, 2.0);
+  EXPECT_EQ(first.why, "theory");
+  const ExpectedConvergence& second = refinement.expectations[1];
+  EXPECT_EQ(second.verdict, Convergence::oscillating);
+  EXPECT_EQ(second.against, ErrorAgainst::self);
+  EXPECT_FALSE(second.order.has_value());
+}
+
+TEST(CaseReading, ACaseWithoutARefinementHasNone) {
+  EXPECT_FALSE(parse_case(smallest, "small.toml").converge.has_value());
+  EXPECT_EQ(to_toml(parse_case(smallest, "small.toml")).find("converge"), std::string::npos);
+}

@@ -88,4 +88,28 @@ quantity = "mass"
 between = ["mpm", "exact"]
 scale = "reference"
 limit = 1
+
+[converge]
+element_size = [0.5, 0.25, 0.125]
+set = { "mpm.quasi_static.increments" = [5, 10, 20], "construction.convention" = ["drop", "float", "refill"] }
+size = "increment"
+
+[[converge.expect]]
+solver = "mpm"
+quantity = "vertical-stress"
+norm = "linf"
+over = "probes"
+against = "exact"
+verdict = "converging"
+order = 2
+band = [0.1, 0.3]
+finest_at_most = 0.01
+above_fit_at_most = 2
+why = "theory"
+
+[[converge.expect]]
+solver = "fem"
+quantity = "settlement"
+against = "self"
+verdict = "oscillating"
 )";

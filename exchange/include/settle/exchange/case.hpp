@@ -28,6 +28,12 @@ enum class Quantity { settlement, vertical_stress, lateral_stress, density, base
 enum class Norm { l2, linf };
 enum class Over { automatic, points, probes };
 enum class CheckStages { last, all };
+/// How an error behaves under refinement; docs/convergence.md defines each. `undetermined`: nothing can be said.
+enum class Convergence { converging, floor_limited, oscillating, diverging, undetermined };
+/// What errors are held against under refinement: the size h of a level.
+enum class RefinedSize { element_size, layer_thickness, increment };
+/// What a refinement study measures: errors against the exact solution, or changes from level to level.
+enum class ErrorAgainst { exact, self };
 
 /// The names of an enumeration's values as they stand in case files, in the order of the values.
 template <class Enum>
@@ -90,6 +96,19 @@ template <>
 struct EnumNames<CheckStages> {
   static constexpr std::array<std::string_view, 2> names{"last", "all"};
 };
+template <>
+struct EnumNames<Convergence> {
+  static constexpr std::array<std::string_view, 5> names{"converging", "floor-limited", "oscillating", "diverging",
+                                                         "undetermined"};
+};
+template <>
+struct EnumNames<RefinedSize> {
+  static constexpr std::array<std::string_view, 3> names{"element-size", "layer-thickness", "increment"};
+};
+template <>
+struct EnumNames<ErrorAgainst> {
+  static constexpr std::array<std::string_view, 2> names{"exact", "self"};
+};
 
 /// The name of a value as case files spell it.
 template <class Enum>
@@ -145,6 +164,7 @@ struct Mpm {
   Integration integration = Integration::mixed;
   RefillRule refill = RefillRule::sub_element;
   bool average_stress = false;
+  bool jaumann = false;
   Scheme scheme = Scheme::quasi_static;
   QuasiStatic quasi_static{};
   ExplicitDynamic explicit_dynamic{}; ///< the table `[mpm.explicit]`
@@ -185,6 +205,32 @@ struct Check {
   std::string why{};
 };
 
+/// What a case expects of a solver under refinement.
+struct ExpectedConvergence {
+  std::string solver{}; ///< "mpm" or "fem"
+  Quantity quantity = Quantity::settlement;
+  Norm norm = Norm::l2;
+  Over over = Over::points;
+  ErrorAgainst against = ErrorAgainst::exact;
+  Convergence verdict = Convergence::converging;
+  std::optional<double> order{};             ///< of a converging error [-]
+  std::vector<double> band{0.2, 0.5};        ///< accepted below and above the order [-]
+  std::optional<double> finest_at_most{};    ///< relative error of the finest level [-]
+  std::optional<double> above_fit_at_most{}; ///< largest error of a level over the fitted line [-]
+  std::string why{};
+};
+
+/// The levels of a refinement study, coarse to fine, and what is expected of them.
+struct Refinement {
+  std::vector<double> element_size{};                    ///< of both solvers, for each level [m]; empty: not varied
+  std::map<std::string, std::vector<std::string>> set{}; ///< dotted key -> TOML value for each level
+  RefinedSize size = RefinedSize::element_size;
+  std::vector<ExpectedConvergence> expectations{}; ///< `[[converge.expect]]`
+
+  /// How many levels there are; lists of different lengths are refused by `read_case`.
+  [[nodiscard]] std::size_t levels() const;
+};
+
 /// A whole case file after defaults and overrides.
 struct Case {
   int format = 1;
@@ -199,6 +245,7 @@ struct Case {
   std::map<std::string, Probes> probes{};        ///< `[probes.NAME]`
   std::map<std::string, Reference> references{}; ///< `[reference.NAME]`
   std::vector<Check> checks{};                   ///< `[[check]]`
+  std::optional<Refinement> converge{};          ///< `[converge]`
 
   std::string file{};                           ///< as given by the user
   std::map<std::string, std::string> origins{}; ///< dotted key -> `file:line:column` or `--set ...`; only keys given

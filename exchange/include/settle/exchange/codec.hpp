@@ -160,6 +160,7 @@ private:
   Count count_;
 };
 extern template class ListCodec<int>;
+extern template class ListCodec<double>;
 extern template class ListCodec<std::string>;
 
 /// Any dotted key with any TOML value, kept as TOML text. `a.b = 1` and `"a.b" = 1` are the same.
@@ -230,6 +231,8 @@ public:
   }
   [[nodiscard]] document::Table schema() const override { return value_->schema(); }
   [[nodiscard]] std::string allowed() const override { return value_->allowed(); }
+  void describe(const std::string& path, std::vector<TableDoc>& docs) const override { value_->describe(path, docs); }
+  [[nodiscard]] bool is_table() const override { return value_->is_table(); }
 
 private:
   std::unique_ptr<Codec<M>> value_;

@@ -107,6 +107,11 @@ public:
     auto item = std::make_unique<IntegerCodec>(info);
     add(std::move(name), member, std::make_unique<ListCodec<int>>(std::move(item), info.count), info);
   }
+  /// A list of numbers, each within the range.
+  void reals(std::string name, std::vector<double> T::*member, KeyInfo info) {
+    auto item = std::make_unique<RealCodec>(info);
+    add(std::move(name), member, std::make_unique<ListCodec<double>>(std::move(item), info.count), info);
+  }
   /// A table of free keys, each with any TOML value, kept as TOML text.
   void toml_values(std::string name, std::map<std::string, std::string> T::*member, KeyInfo info) {
     add(std::move(name), member, std::make_unique<TomlValuesCodec>(), info);
@@ -118,6 +123,9 @@ public:
   /// `[name]`
   template <class U>
   void table(std::string name, U T::*member, KeyTable<U> keys, KeyInfo info = {});
+  /// `[name]`, which may be absent
+  template <class U>
+  void table(std::string name, std::optional<U> T::*member, KeyTable<U> keys, KeyInfo info = {});
   /// `[name.NAME]`, any number of them
   template <class U>
   void named_tables(std::string name, std::map<std::string, U> T::*member, KeyTable<U> keys, KeyInfo info = {});

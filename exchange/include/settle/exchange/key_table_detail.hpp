@@ -160,6 +160,13 @@ void KeyTable<T>::table(std::string name, U T::*member, KeyTable<U> keys, KeyInf
 
 template <class T>
 template <class U>
+void KeyTable<T>::table(std::string name, std::optional<U> T::*member, KeyTable<U> keys, KeyInfo info) {
+  std::unique_ptr<Codec<U>> codec = std::make_unique<TableCodec<U>>(std::move(keys));
+  add(std::move(name), member, optional<U>(std::move(codec)), std::move(info));
+}
+
+template <class T>
+template <class U>
 void KeyTable<T>::named_tables(std::string name, std::map<std::string, U> T::*member, KeyTable<U> keys, KeyInfo info) {
   add(std::move(name), member, std::make_unique<NamedTablesCodec<U>>(std::move(keys)), std::move(info));
 }
