@@ -99,6 +99,35 @@ TEST(ExplicitMotion, EnergyOfAFallIsHalfTheMassTimesVelocitySquaredAndItsWorkIsW
   EXPECT_NEAR(first.external_work / (mass * g * g * dt * dt), 1.0, 1e-12);
 }
 
+TEST(ExplicitMotion, ALinearVelocityFieldMovesStrainsAndDilatesEveryPointExactly) {
+  auto body = floating_block();
+  const auto before = body.points;
+  Tensor<2> g; // velocity gradient times the step
+  g << 0.05, -0.02, 0.03, -0.08;
+  const double dt = 0.01;
+  Nodes<2> nodes(static_cast<std::size_t>(body.grid.n_nodes()));
+  for (int n = 0; n < body.grid.n_nodes(); ++n) {
+    auto& node = nodes[static_cast<std::size_t>(n)];
+    node.mass = 3.0;
+    node.remapped = 3.0 / dt * g * body.grid.node_position(n);
+  }
+  update_stress_and_move(body, {}, dt, nodes);
+
+  const double lambda = 160e3, mu = 160e3; // of E = 400 kPa, nu = 1/4
+  const double area_ratio = 1.05 * 0.92 + 0.02 * 0.03;
+  for (std::size_t p = 0; p < body.points.size(); ++p) {
+    const auto q =
+        static_cast<std::size_t>(std::find(before.id.begin(), before.id.end(), body.points.id[p]) - before.id.begin());
+    const Vector<2> x = before.position_of(q);
+    EXPECT_LT((body.points.position_of(p) - x - g * x).norm(), 1e-13);
+    EXPECT_NEAR(body.points.volume[p] / before.volume[q], area_ratio, 1e-13);
+    EXPECT_NEAR(body.points.stress[0][p], lambda * -0.03 + 2.0 * mu * 0.05, 1e-8);
+    EXPECT_NEAR(body.points.stress[1][p], lambda * -0.03 + 2.0 * mu * -0.08, 1e-8);
+    EXPECT_NEAR(body.points.stress[2][p], lambda * -0.03, 1e-8);
+    EXPECT_NEAR(body.points.stress[3][p], 2.0 * mu * 0.005, 1e-8);
+  }
+}
+
 TEST(ExplicitMotion, OnlyTheLayerUnderConstructionFeelsTheRamp) {
   const Gravity gravity{.acceleration = 9.81, .ramped_layer = 3, .factor = 0.25};
   EXPECT_DOUBLE_EQ(gravity.on(2), 9.81);
