@@ -14,15 +14,20 @@ Body<TriangleGrid> empty_body(const exchange::Case& study) {
   const auto& fill = study.fill();
   const TriangleGrid grid(counts.across, counts.per_layer * study.construction.layers + 1,
                           study.geometry.width / counts.across);
-  return {.grid = grid,
-          .points = {},
-          .cells = {},
-          .fixed = oedometer_supports(grid),
-          .lame = Lame::from(fill.youngs_modulus, fill.poissons_ratio),
-          .density = fill.density,
-          .integration = study.mpm.integration == exchange::Integration::mixed ? StressIntegration::full_cells
-                                                                               : StressIntegration::points,
-          .average_stress = study.mpm.average_stress};
+  Body<TriangleGrid> body{.grid = grid,
+                          .points = {},
+                          .cells = {},
+                          .fixed = oedometer_supports(grid),
+                          .lame = Lame::from(fill.youngs_modulus, fill.poissons_ratio),
+                          .density = fill.density,
+                          .integration = study.mpm.integration == exchange::Integration::mixed
+                                             ? StressIntegration::full_cells
+                                             : StressIntegration::points,
+                          .average_stress = study.mpm.average_stress,
+                          .law = fill.law,
+                          .jaumann = study.mpm.jaumann};
+  body.points.tracks_deformation = fill.law != exchange::Law::rate;
+  return body;
 }
 
 double mean_surface(const Body<TriangleGrid>& body) {

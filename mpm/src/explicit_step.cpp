@@ -6,7 +6,7 @@
 
 #include <Eigen/LU>
 
-#include "settle/mpm/nodal_forces.hpp"
+#include "constitutive_update.hpp"
 
 namespace settle::mpm {
 
@@ -25,20 +25,32 @@ Vector<dim> remapped_velocity(const NodeState<dim>& node, const PerAxis<bool, di
   return velocity;
 }
 
+/// Stiffness of the fastest wave [Pa], the density and the largest normal stress of a cell's points given: M for the
+/// law `rate`; M / J + |sigma| for hyperelastic laws, exact for `hencky` in uniaxial strain and a bound for
+/// `neo-hookean`.
+template <class Grid>
+double stiffness(const Body<Grid>& body, double density, double stress) {
+  const double modulus = body.lame.constrained_modulus();
+  return body.law == exchange::Law::rate ? modulus : modulus * density / body.density + stress;
+}
+
 } // namespace
 
 template <class Grid>
 double stable_time_step(const Body<Grid>& body, double courant) {
-  double lightest = std::numeric_limits<double>::infinity();
+  double slowness_squared = std::numeric_limits<double>::infinity();
   for (const int cell : body.cells.occupied) {
-    double mass = 0, volume = 0;
+    double mass = 0, volume = 0, stress = 0;
     for (std::size_t p = body.cells.begin[index(cell)]; p < body.cells.begin[index(cell) + 1]; ++p) {
       mass += body.points.mass[p];
       volume += body.points.volume[p];
+      for (std::size_t d = 0; d < Grid::dim; ++d)
+        stress = std::max(stress, std::abs(body.points.stress[d][p]));
     }
-    lightest = std::min(lightest, mass / std::max(volume, integration_volume(body, volume)));
+    const double density = mass / std::max(volume, integration_volume(body, volume));
+    slowness_squared = std::min(slowness_squared, density / stiffness(body, mass / volume, stress));
   }
-  return courant * body.grid.shortest_altitude() / std::sqrt(body.lame.constrained_modulus() / lightest);
+  return courant * body.grid.shortest_altitude() * std::sqrt(slowness_squared);
 }
 
 template <class Grid>
@@ -125,8 +137,6 @@ StepEnergy update_stress_and_move(Body<Grid>& body, const Gravity& gravity, doub
       displacement.col(i) = dt * remapped_velocity<dim>(nodes[n], body.fixed[n]);
     }
     const Tensor<dim> gradient = displacement * body.grid.gradients(cell).transpose();
-    const auto d_sigma = stress_increment<dim>(body.lame, 0.5 * (gradient + gradient.transpose()));
-    const double volume_ratio = (Tensor<dim>::Identity() + gradient).determinant();
     for (std::size_t p = body.cells.begin[index(cell)]; p < body.cells.begin[index(cell) + 1]; ++p) {
       const auto values = body.grid.values(cell, points.position_of(p));
       Vector<dim> move = Vector<dim>::Zero();
@@ -134,10 +144,9 @@ StepEnergy update_stress_and_move(Body<Grid>& body, const Gravity& gravity, doub
         move += values[index(i)] * displacement.col(i);
       for (std::size_t d = 0; d < dim; ++d)
         points.position[d][p] += move[static_cast<int>(d)];
-      points.volume[p] *= volume_ratio;
-      add_stress(points, p, d_sigma);
       energy.external_work -= points.mass[p] * gravity.on(points.layer[p]) * move[dim - 1];
     }
+    deform_points(body, cell, IncrementalKinematics<dim>(gradient), StrainMeasure::midpoint);
   }
   body.sort();
   if (body.average_stress) replace_stress_by_cell_average(body);

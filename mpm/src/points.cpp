@@ -30,6 +30,10 @@ void Points<dim>::add(const NewPoint<dim>& point) {
   }
   for (auto& component : stress)
     component.push_back(0.0);
+  if (!tracks_deformation) return;
+  for (auto& component : deformation)
+    component.push_back(0.0);
+  set_deformation(size() - 1, Tensor<dim>::Identity());
 }
 
 template <int dim>
@@ -43,6 +47,9 @@ void Points<dim>::permute(const std::vector<std::uint32_t>& order) {
   for (auto& component : velocity)
     apply(component);
   for (auto& component : stress)
+    apply(component);
+  if (!tracks_deformation) return;
+  for (auto& component : deformation)
     apply(component);
 }
 

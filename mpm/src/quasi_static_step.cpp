@@ -5,7 +5,7 @@
 
 #include <Eigen/SparseLU>
 
-#include "incremental_kinematics.hpp"
+#include "constitutive_update.hpp"
 #include "settle/mpm/nodal_forces.hpp"
 
 namespace settle::mpm {
@@ -62,16 +62,16 @@ template <class Grid>
 CellContribution<Grid> contribution_of(const Body<Grid>& body, int cell, const CellStress<Grid::dim>& start,
                                        const IncrementalKinematics<Grid::dim>& kinematics) {
   constexpr int dim = Grid::dim;
-  const auto& g0 = body.grid.gradients(cell);
-  const typename Grid::Gradients g = kinematics.inverse.transpose() * g0;
-  const Tensor<dim> sigma = start.average.tensor + stress_increment<dim>(body.lame, kinematics.strain).tensor;
+  const typename Grid::Gradients g = kinematics.inverse.transpose() * body.grid.gradients(cell);
+  const CellResponse<Grid> response = respond(body, cell, start, kinematics);
+  const Tensor<dim>& sigma = response.stress;
   const double volume = integration_volume(body, start.points_volume) * kinematics.volume_ratio;
   CellContribution<Grid> result;
   for (int i = 0; i < Grid::nodes_per_cell; ++i)
     result.force.template segment<dim>(dim * i) = volume * sigma * g.col(i);
   for (int j = 0; j < Grid::nodes_per_cell; ++j)
     for (int b = 0; b < dim; ++b) {
-      const Tensor<dim> d_sigma = stress_increment<dim>(body.lame, kinematics.strain_variation(g0.col(j), b)).tensor;
+      const Tensor<dim>& d_sigma = response.variations[static_cast<std::size_t>(dim * j + b)];
       for (int i = 0; i < Grid::nodes_per_cell; ++i)
         result.tangent.template block<dim, 1>(dim * i, dim * j + b) =
             volume * (d_sigma * g.col(i) + g(b, j) * (sigma * g.col(i)) - g(b, i) * (sigma * g.col(j)));
@@ -79,7 +79,7 @@ CellContribution<Grid> contribution_of(const Body<Grid>& body, int cell, const C
   return result;
 }
 
-/// Moves the points with the nodes and gives them their cell's increment of strain.
+/// Moves the points with the nodes and deforms them with their cell.
 template <class Grid>
 void move_points(Body<Grid>& body, const Eigen::VectorXd& displacement) {
   constexpr int dim = Grid::dim;
@@ -87,7 +87,6 @@ void move_points(Body<Grid>& body, const Eigen::VectorXd& displacement) {
   for (const int cell : body.cells.occupied) {
     const auto nodes = body.grid.nodes(cell);
     const IncrementalKinematics<dim> kinematics(gradient_in(body.grid, cell, displacement));
-    const auto d_sigma = stress_increment<dim>(body.lame, kinematics.strain);
     const auto c = static_cast<std::size_t>(cell);
     for (std::size_t p = body.cells.begin[c]; p < body.cells.begin[c + 1]; ++p) {
       const auto values = body.grid.values(cell, points.position_of(p));
@@ -96,9 +95,8 @@ void move_points(Body<Grid>& body, const Eigen::VectorXd& displacement) {
         move += values[i] * displacement.template segment<dim>(dim * nodes[i]);
       for (int d = 0; d < dim; ++d)
         points.position[static_cast<std::size_t>(d)][p] += move[d];
-      points.volume[p] *= kinematics.volume_ratio;
-      add_stress(points, p, d_sigma);
     }
+    deform_points(body, cell, kinematics, StrainMeasure::logarithmic);
   }
 }
 

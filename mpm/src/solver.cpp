@@ -78,6 +78,7 @@ exchange::Used used(const exchange::Case& study) {
   values.youngs_modulus = body.lame.youngs_modulus();
   values.poissons_ratio = body.lame.poissons_ratio();
   values.density = body.density;
+  values.law = body.law;
   return values;
 }
 

@@ -72,17 +72,26 @@ TEST(IncrementalKinematics, InverseUndoesTheDeformation) {
   EXPECT_LT((Kinematics(some_gradient()).inverse * f - Tensor<2>::Identity()).norm(), 1e-14);
 }
 
-TEST(IncrementalKinematics, StrainVariationIsTheDerivativeOfTheStrain) {
+TEST(IncrementalKinematics, SpinVariationIsTheDerivativeOfTheSpin) {
   const Vector<2> g(1.7, -0.6);
   const double step = 1e-5;
   for (int b = 0; b < 2; ++b) {
     const Tensor<2> direction = Vector<2>::Unit(b) * g.transpose();
-    const Tensor<2> difference = (Kinematics(some_gradient() + step * direction).strain -
-                                  Kinematics(some_gradient() - step * direction).strain) /
-                                 (2.0 * step);
-    const Tensor<2> variation = Kinematics(some_gradient()).strain_variation(g, b);
+    const Tensor<2> difference =
+        (Kinematics(some_gradient() + step * direction).spin - Kinematics(some_gradient() - step * direction).spin) /
+        (2.0 * step);
+    const Tensor<2> variation = Kinematics(some_gradient()).spin_variation(g, b);
     EXPECT_LT((variation - difference).norm(), 1e-8 * variation.norm()) << "direction " << b;
   }
+}
+
+TEST(IncrementalKinematics, TheRotationIsOrthogonalAndTurnsWithTheMaterial) {
+  const double angle = 0.02;
+  Tensor<2> turned;
+  turned << std::cos(angle) - 1.0, -std::sin(angle), std::sin(angle), std::cos(angle) - 1.0;
+  const Tensor<2> rotation = Kinematics(turned).rotation();
+  EXPECT_LT((rotation * rotation.transpose() - Tensor<2>::Identity()).norm(), 1e-14);
+  EXPECT_NEAR(rotation(1, 0), std::sin(angle), 1e-6); // third order in the angle: angle^3 / 12
 }
 
 } // namespace

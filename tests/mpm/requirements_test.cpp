@@ -31,7 +31,15 @@ TEST(Requirements, NamesTheKeyItsPlaceAndTheValueThatCanBeRun) {
   expect_refused({"mpm.element=quadrilateral"}, "--set mpm.element=quadrilateral", "set mpm.element = \"triangle\"");
   expect_refused({"mpm.points_per_element=4"}, "--set mpm.points_per_element=4", "set mpm.points_per_element = 3");
   expect_refused({"mpm.basis=gimp"}, "--set mpm.basis=gimp", "set mpm.basis = \"linear\"");
-  expect_refused({"material.fill.law=hencky"}, "--set material.fill.law=hencky", "set material.fill.law = \"rate\"");
+}
+
+TEST(Requirements, OptionsOfTheLawRateAreRefusedForHyperelasticLaws) {
+  for (const char* option : {"mpm.average_stress", "mpm.jaumann"}) {
+    const std::string set = std::string(option) + "=true";
+    expect_refused({set, "material.fill.law=hencky"}, "--set " + set, std::string("set ") + option + " = false");
+    EXPECT_NO_THROW(require_solvable(paper_column({set})));
+  }
+  EXPECT_NO_THROW(require_solvable(paper_column({"material.fill.law=neo-hookean"})));
 }
 
 TEST(Requirements, ElementsHaveToDivideALayerAndTheWidth) {

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "settle/exchange/case.hpp"
 #include "settle/mpm/cell_table.hpp"
 #include "settle/mpm/elasticity.hpp"
 #include "settle/mpm/triangle_grid.hpp"
@@ -37,7 +38,9 @@ struct Body {
   Lame lame;
   double density = 0; ///< as placed [kg/m3]
   StressIntegration integration = StressIntegration::full_cells;
-  bool average_stress = false; ///< replace point stresses by their cell's average after every move
+  bool average_stress = false;             ///< replace point stresses by their cell's average after every move
+  exchange::Law law = exchange::Law::rate; ///< `hencky` and `neo-hookean` need points that track their deformation
+  bool jaumann = false;                    ///< law `rate`: rotate the stress with the material (Jaumann rate)
 
   /// Sorts points into cells; to be called after points have moved or were added. Throws PointLost.
   void sort() { sort_by_cell(grid, points, cells); }

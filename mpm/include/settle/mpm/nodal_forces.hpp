@@ -22,12 +22,4 @@ double base_reaction(const Body<Grid>& body, const Eigen::VectorXd& internal, co
   return reaction;
 }
 
-/// Adds an increment of stress to point p.
-inline void add_stress(Points<2>& points, std::size_t p, const Stress<2>& increment) {
-  points.stress[0][p] += increment.tensor(0, 0);
-  points.stress[1][p] += increment.tensor(1, 1);
-  points.stress[2][p] += increment.out_of_plane;
-  points.stress[3][p] += increment.tensor(0, 1);
-}
-
 } // namespace settle::mpm

@@ -46,6 +46,9 @@ struct Points {
   PerAxis<std::vector<double>, dim> placed; ///< position at placement [m]
   PerAxis<std::vector<double>, dim> velocity;
   std::array<std::vector<double>, stress_size<dim>> stress; ///< Cauchy, tension positive [Pa]
+  /// Deformation gradient since placement, row by row; empty unless `tracks_deformation`.
+  std::array<std::vector<double>, static_cast<std::size_t>(dim* dim)> deformation;
+  bool tracks_deformation = false; ///< set before the first point is added; for laws that need it
   std::uint64_t next_id = 1;
 
   [[nodiscard]] std::size_t size() const { return id.size(); }
@@ -55,6 +58,17 @@ struct Points {
     for (int c = 0; c < dim; ++c)
       x[c] = position[static_cast<std::size_t>(c)][p];
     return x;
+  }
+
+  [[nodiscard]] Tensor<dim> deformation_of(std::size_t p) const {
+    Tensor<dim> gradient;
+    for (int i = 0; i < dim * dim; ++i)
+      gradient(i / dim, i % dim) = deformation[static_cast<std::size_t>(i)][p];
+    return gradient;
+  }
+  void set_deformation(std::size_t p, const Tensor<dim>& gradient) {
+    for (int i = 0; i < dim * dim; ++i)
+      deformation[static_cast<std::size_t>(i)][p] = gradient(i / dim, i % dim);
   }
 
   /// Appends a stress-free point at rest.
