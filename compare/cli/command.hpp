@@ -28,6 +28,7 @@ public:
 
 std::unique_ptr<Command> make_run_command();
 std::unique_ptr<Command> make_campaign_command();
+std::unique_ptr<Command> make_converge_command();
 std::unique_ptr<Command> make_compare_command();
 std::unique_ptr<Command> make_check_command();
 std::unique_ptr<Command> make_report_command();

@@ -17,6 +17,7 @@ std::vector<std::unique_ptr<cli::Command>> all_commands() {
   std::vector<std::unique_ptr<cli::Command>> commands;
   commands.push_back(cli::make_run_command());
   commands.push_back(cli::make_campaign_command());
+  commands.push_back(cli::make_converge_command());
   commands.push_back(cli::make_compare_command());
   commands.push_back(cli::make_check_command());
   commands.push_back(cli::make_report_command());

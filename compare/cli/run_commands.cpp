@@ -49,34 +49,63 @@ ExitCode run_and_report(const Campaign& campaign, const Options& options, const 
   fmt::print("{}\n", summary_text(outcome));
   write_report(outcome, folder);
   fmt::print("report: {}\n", (folder / "report.html").string());
-  return exit_code_of(outcome.runs);
+  return exit_code_of(outcome.runs, outcome.families);
 }
+
+/// A case as it is given to a command.
+struct GivenCase {
+  std::string file{};
+  std::vector<std::string> overrides{};
+  std::vector<std::string> solvers{};
+
+  void declare(CLI::App& app, const std::string& default_solvers) {
+    app.add_option("CASE", file, "case file (TOML)")->required();
+    app.add_option("--set", overrides, "override a key of the case, as key=value; may be repeated")
+        ->take_all()
+        ->allow_extra_args(false);
+    app.add_option("--solvers", solvers, "solvers, separated by commas; left out: " + default_solvers)
+        ->delimiter(',')
+        ->check(CLI::IsMember({"mpm", "fem"}));
+  }
+  [[nodiscard]] fs::path folder(const Options& options, const std::string& suffix) const {
+    return options.out.empty() ? fs::path("results") / (fs::path(file).stem().string() + suffix)
+                               : fs::path(options.out);
+  }
+};
 
 class RunCommand : public Command {
 public:
   [[nodiscard]] std::string name() const override { return "run"; }
   [[nodiscard]] std::string purpose() const override { return "run one case: solvers, exact solution, report"; }
   void declare(CLI::App& app) override {
-    app.add_option("CASE", case_, "case file (TOML)")->required();
-    app.add_option("--set", overrides_, "override a key of the case, as key=value; may be repeated")
-        ->take_all()
-        ->allow_extra_args(false);
-    app.add_option("--solvers", solvers_, "solvers, separated by commas; left out: mpm,fem")
-        ->delimiter(',')
-        ->check(CLI::IsMember({"mpm", "fem"}));
+    case_.declare(app, "mpm,fem");
     options_.declare(app, "results/NAME, NAME being the case file's");
   }
   ExitCode run(const std::string& command_line) override {
-    const Campaign campaign = campaign_of_case(case_, overrides_, solvers_);
-    const fs::path folder =
-        options_.out.empty() ? fs::path("results") / fs::path(case_).stem() : fs::path(options_.out);
-    return run_and_report(campaign, options_, folder, command_line);
+    const Campaign campaign = campaign_of_case(case_.file, case_.overrides, case_.solvers);
+    return run_and_report(campaign, options_, case_.folder(options_, ""), command_line);
   }
 
 private:
-  std::string case_;
-  std::vector<std::string> overrides_;
-  std::vector<std::string> solvers_{"mpm", "fem"};
+  GivenCase case_{.solvers = {"mpm", "fem"}};
+  Options options_;
+};
+
+class ConvergeCommand : public Command {
+public:
+  [[nodiscard]] std::string name() const override { return "converge"; }
+  [[nodiscard]] std::string purpose() const override { return "run a case on finer and finer levels: observed order"; }
+  void declare(CLI::App& app) override {
+    case_.declare(app, "those of which the case expects something");
+    options_.declare(app, "results/NAME-convergence, NAME being the case file's");
+  }
+  ExitCode run(const std::string& command_line) override {
+    const Campaign campaign = refinement_of_case(case_.file, case_.overrides, case_.solvers);
+    return run_and_report(campaign, options_, case_.folder(options_, "-convergence"), command_line);
+  }
+
+private:
+  GivenCase case_;
   Options options_;
 };
 
@@ -110,6 +139,9 @@ private:
 
 std::unique_ptr<Command> make_run_command() {
   return std::make_unique<RunCommand>();
+}
+std::unique_ptr<Command> make_converge_command() {
+  return std::make_unique<ConvergeCommand>();
 }
 std::unique_ptr<Command> make_campaign_command() {
   return std::make_unique<CampaignCommand>();

@@ -22,7 +22,7 @@ public:
   ExitCode run(const std::string&) override {
     const CampaignOutcome outcome = read_outcome(folder_);
     fmt::print("{}", summary_text(outcome));
-    return exit_code_of(outcome.runs);
+    return exit_code_of(outcome.runs, outcome.families);
   }
 
 private:
@@ -38,7 +38,7 @@ public:
     const CampaignOutcome outcome = read_outcome(folder_);
     write_report(outcome, folder_);
     fmt::print("report: {}\n", (std::filesystem::path(folder_) / "report.html").string());
-    return exit_code_of(outcome.runs);
+    return exit_code_of(outcome.runs, outcome.families);
   }
 
 private:

@@ -6,7 +6,9 @@
 
 #include <fmt/format.h>
 
+#include "settle/compare/convergence_text.hpp"
 #include "settle/compare/field_samples.hpp"
+#include "settle/compare/refinement_levels.hpp"
 #include "settle/compare/report.hpp"
 
 namespace settle::compare::cli {
@@ -48,7 +50,29 @@ std::string run_line(const RunOutcome& run, std::size_t name_width) {
   return line + "\n";
 }
 
+std::string study_text(const ConvergenceStudy& study, exchange::RefinedSize size) {
+  std::string text =
+      fmt::format("  {}\n  {:>26} {:>14} {:>12} {:>7}\n", study.title(), size_title(size),
+                  fmt::format("norm [{}]", study.unit), study.errors.empty() ? "change" : "error", "order");
+  for (const ConvergenceRow& row : rows_of(study))
+    text += fmt::format("  {:>26} {:>14} {:>12} {:>7}\n", row.size, row.value, row.error, row.order);
+  const std::string extrapolation = extrapolation_of(study);
+  text += fmt::format("  {}\n", conclusion_of(study));
+  if (!extrapolation.empty()) text += fmt::format("  {}\n", extrapolation);
+  return text + "\n";
+}
+
 } // namespace
+
+std::string convergence_text(const std::vector<Family>& families) {
+  std::string text;
+  for (const Family& family : families) {
+    text += family.name + "\n";
+    for (const ConvergenceStudy& study : family.studies)
+      text += study_text(study, family.size);
+  }
+  return text;
+}
 
 std::string failures_text(const std::vector<Verdict>& verdicts) {
   std::string text;
@@ -75,6 +99,9 @@ std::string summary_text(const CampaignOutcome& outcome) {
     text += run_line(run, width);
     failures += failures_text(reported_verdicts(run));
   }
+  for (const Family& family : outcome.families)
+    failures += failures_text(family.verdicts);
+  if (!outcome.families.empty()) text += fmt::format("\n{}", convergence_text(outcome.families));
   return failures.empty() ? text : text + "\n" + failures;
 }
 

@@ -8,7 +8,11 @@
 
 namespace settle::compare::cli {
 
-/// A line a run with its verdict counts and key figures, then every verdict that is not "passed" with its reason.
+/// The levels of every refinement family with their errors and orders, and what is said of each.
+std::string convergence_text(const std::vector<Family>& families);
+
+/// A line a run with its verdict counts and key figures, the levels of refinement families, then every verdict that is
+/// not "passed" with its reason.
 std::string summary_text(const CampaignOutcome& outcome);
 
 /// Verdicts that are not "passed", one line each and its message.

@@ -1,7 +1,10 @@
 #include "settle/compare/campaign_io.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
+#include "settle/exchange/case_io.hpp"
 #include "settle/exchange/errors.hpp"
 #include "settle/exchange/key_table.hpp"
 
@@ -22,6 +25,8 @@ KeyTable<RunEntry> run_keys() {
   keys.toml_values("set", &RunEntry::set, {.doc = "keys of the case that are set for the whole run"});
   keys.toml_lists("matrix", &RunEntry::matrix,
                   {.doc = "keys of the case that are varied; every combination of their values is a run"});
+  keys.boolean("converge", &RunEntry::converge,
+               {.doc = "run the levels of the case's [converge] and judge how they converge"});
   keys.real("time_limit", &RunEntry::time_limit,
             {.unit = "s", .range = exchange::above(0), .doc = "wall time of one solver, after which it is stopped"});
   keys.text("note", &RunEntry::note, {.doc = "shown in the report: what the run is for, what is known to differ"});
@@ -139,6 +144,39 @@ Figure profile_figure(const RunEntry& run, exchange::Quantity quantity, const st
   return figure;
 }
 
+RunEntry run_of_case(const std::filesystem::path& case_file, const std::vector<std::string>& overrides,
+                     const std::vector<std::string>& solvers) {
+  RunEntry run;
+  run.name = case_file.stem().string();
+  run.case_file = case_file.string();
+  run.solvers = solvers;
+  for (const std::string& override_text : overrides) {
+    const std::size_t equals = override_text.find('=');
+    if (equals == std::string::npos || equals == 0) {
+      throw exchange::InputError({.where = "--set",
+                                  .what = "an override needs a key and a value",
+                                  .given = override_text,
+                                  .allowed = "key=value",
+                                  .remedy = "for example --set construction.layers=10"});
+    }
+    run.set[override_text.substr(0, equals)] = toml_of(override_text.substr(equals + 1));
+  }
+  return run;
+}
+
+/// The solvers whose convergence a case says something about; both where it says nothing.
+std::vector<std::string> expected_solvers(const exchange::Case& study) {
+  std::vector<std::string> solvers;
+  for (const std::string solver : {"mpm", "fem"}) {
+    if (!study.converge) continue;
+    const auto& expected = study.converge->expectations;
+    const bool named = std::any_of(expected.begin(), expected.end(),
+                                   [&](const exchange::ExpectedConvergence& each) { return each.solver == solver; });
+    if (named) solvers.push_back(solver);
+  }
+  return solvers.empty() ? std::vector<std::string>{"mpm", "fem"} : solvers;
+}
+
 } // namespace
 
 Campaign read_campaign(const std::filesystem::path& file) {
@@ -161,26 +199,23 @@ std::string campaign_schema() {
 
 Campaign campaign_of_case(const std::filesystem::path& case_file, const std::vector<std::string>& overrides,
                           const std::vector<std::string>& solvers) {
-  RunEntry run;
-  run.name = case_file.stem().string();
-  run.case_file = case_file.string();
-  run.solvers = solvers;
-  for (const std::string& override_text : overrides) {
-    const std::size_t equals = override_text.find('=');
-    if (equals == std::string::npos || equals == 0) {
-      throw exchange::InputError({.where = "--set",
-                                  .what = "an override needs a key and a value",
-                                  .given = override_text,
-                                  .allowed = "key=value",
-                                  .remedy = "for example --set construction.layers=10"});
-    }
-    run.set[override_text.substr(0, equals)] = toml_of(override_text.substr(equals + 1));
-  }
   Campaign campaign;
+  campaign.runs.push_back(run_of_case(case_file, overrides, solvers));
+  const RunEntry& run = campaign.runs.front();
   campaign.title = run.name;
   campaign.figures = {profile_figure(run, exchange::Quantity::settlement, "Settlement since placement"),
                       profile_figure(run, exchange::Quantity::vertical_stress, "Vertical stress")};
-  campaign.runs.push_back(std::move(run));
+  return campaign;
+}
+
+Campaign refinement_of_case(const std::filesystem::path& case_file, const std::vector<std::string>& overrides,
+                            const std::vector<std::string>& solvers) {
+  Campaign campaign;
+  campaign.runs.push_back(run_of_case(case_file, overrides, solvers));
+  RunEntry& run = campaign.runs.front();
+  run.converge = true;
+  if (solvers.empty()) run.solvers = expected_solvers(exchange::read_case(case_file, overrides));
+  campaign.title = run.name + " under refinement";
   return campaign;
 }
 

@@ -9,6 +9,7 @@
 
 #include "parallel.hpp"
 #include "settle/compare/judge.hpp"
+#include "settle/compare/judge_convergence.hpp"
 #include "settle/compare/run_folder.hpp"
 #include "settle/compare/solver_run.hpp"
 #include "settle/exchange/case_io.hpp"
@@ -108,6 +109,7 @@ std::vector<RunOutcome> outcomes_of(const std::vector<ExpandedRun>& runs) {
     RunOutcome outcome;
     outcome.name = run.name;
     outcome.note = run.note;
+    outcome.family = run.family;
     outcome.study = run.study;
     outcome.overrides = run.overrides;
     outcome.solvers.resize(run.solvers.size());
@@ -165,25 +167,31 @@ CampaignOutcome run_campaign(const Campaign& campaign, const RunOptions& options
   run_all(tasks, options, stop, outcome.runs);
   for (RunOutcome& run : outcome.runs)
     judge_into(run);
+  outcome.families = families_of(outcome.runs);
   outcome.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return outcome;
 }
 
-ExitCode exit_code_of(const std::vector<RunOutcome>& runs) {
+ExitCode exit_code_of(const std::vector<RunOutcome>& runs, const std::vector<Family>& families) {
   bool solver_failed = false;
   bool file_failed = false;
   bool not_passed = runs.empty();
+  const auto look_at = [&](const std::vector<Verdict>& verdicts) {
+    for (const Verdict& verdict : verdicts) {
+      if (verdict.status == Status::missing) file_failed = true;
+      if (verdict.status != Status::passed) not_passed = true;
+    }
+    if (verdicts.empty()) not_passed = true;
+  };
   for (const RunOutcome& run : runs) {
     for (const SolverRun& solver : run.solvers) {
       if (solver.status == SolverStatus::finished) continue;
       (lacks_its_result(solver.status) ? file_failed : solver_failed) = true;
     }
-    for (const Verdict& verdict : run.verdicts) {
-      if (verdict.status == Status::missing) file_failed = true;
-      if (verdict.status != Status::passed) not_passed = true;
-    }
-    if (run.verdicts.empty()) not_passed = true;
+    look_at(run.verdicts);
   }
+  for (const Family& family : families)
+    look_at(family.verdicts);
   if (solver_failed) return ExitCode::solver_failed;
   if (file_failed) return ExitCode::file_failed;
   return not_passed ? ExitCode::verdict_failed : ExitCode::success;

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "settle/compare/refinement_levels.hpp"
 #include "settle/exchange/case_io.hpp"
 #include "settle/exchange/errors.hpp"
 #include "settle/exchange/spelling.hpp"
@@ -75,6 +76,23 @@ ExpandedRun make_run(const Campaign& campaign, const RunEntry& entry, const Sett
     run.overrides.push_back(key + "=" + value);
   run.study = exchange::read_case(run.case_file, run.overrides);
   return run;
+}
+
+/// The runs of all levels of a refinement family; `base` is the case without them.
+std::vector<ExpandedRun> levels_of(const ExpandedRun& base) {
+  std::vector<ExpandedRun> runs;
+  std::vector<exchange::Case> levels;
+  for (const std::vector<std::string>& settings : level_overrides(base.study)) {
+    ExpandedRun run = base;
+    run.family = base.name;
+    run.name = fmt::format("{} level {}", base.name, runs.size() + 1);
+    run.overrides.insert(run.overrides.end(), settings.begin(), settings.end());
+    run.study = exchange::read_case(run.case_file, run.overrides);
+    levels.push_back(run.study);
+    runs.push_back(std::move(run));
+  }
+  require_finer_levels(levels, base.solvers);
+  return runs;
 }
 
 void require_unique(const std::vector<ExpandedRun>& runs, const std::string& file) {
@@ -149,8 +167,11 @@ std::string folder_name(const std::string& run) {
 std::vector<ExpandedRun> expand(const Campaign& campaign) {
   std::vector<ExpandedRun> runs;
   for (const RunEntry& entry : campaign.runs) {
-    for (const Settings& settings : combinations(entry.matrix))
-      runs.push_back(make_run(campaign, entry, settings));
+    for (const Settings& settings : combinations(entry.matrix)) {
+      const ExpandedRun run = make_run(campaign, entry, settings);
+      const std::vector<ExpandedRun> expanded = entry.converge ? levels_of(run) : std::vector{run};
+      runs.insert(runs.end(), expanded.begin(), expanded.end());
+    }
   }
   require_unique(runs, campaign.file.string());
   require_figures_fit(campaign, runs);

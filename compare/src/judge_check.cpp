@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "quantity_unit.hpp"
 #include "settle/compare/field_samples.hpp"
 #include "settle/compare/judge.hpp"
 #include "settle/compare/legs.hpp"
@@ -12,32 +13,8 @@ namespace settle::compare {
 using exchange::Check;
 using exchange::CheckStages;
 using exchange::Over;
-using exchange::Quantity;
 
 namespace {
-
-std::string unit_of(Quantity quantity) {
-  switch (quantity) {
-  case Quantity::settlement:
-    return "m";
-  case Quantity::vertical_stress:
-  case Quantity::lateral_stress:
-    return "Pa";
-  case Quantity::density:
-    return "kg/m3";
-  case Quantity::base_reaction:
-    return "N/m";
-  case Quantity::mass:
-    return "kg/m";
-  }
-  return "";
-}
-
-std::string unit_of(Quantity quantity, int dimension) {
-  if (dimension == 3 && quantity == Quantity::base_reaction) return "N";
-  if (dimension == 3 && quantity == Quantity::mass) return "kg";
-  return unit_of(quantity);
-}
 
 LegRequest request_of(const RunOutcome& run, const Check& check) {
   const auto [value, reference] = value_and_reference(run, check.between);

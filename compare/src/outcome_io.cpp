@@ -4,6 +4,7 @@
 
 #include "settle/compare/campaign_io.hpp"
 #include "settle/compare/judge.hpp"
+#include "settle/compare/judge_convergence.hpp"
 #include "settle/compare/run_folder.hpp"
 #include "settle/compare/solver_run.hpp"
 #include "settle/compare/text_file.hpp"
@@ -16,7 +17,7 @@ using nlohmann::json;
 
 namespace {
 
-constexpr int outcome_version = 1;
+constexpr int outcome_version = 2;
 
 json to_json(const SolverRun& solver) {
   return {{"solver", solver.solver},
@@ -33,7 +34,11 @@ json to_json(const RunOutcome& run) {
   json solvers = json::array();
   for (const SolverRun& solver : run.solvers)
     solvers.push_back(to_json(solver));
-  return {{"name", run.name}, {"note", run.note}, {"overrides", run.overrides}, {"solvers", solvers}};
+  return {{"name", run.name},
+          {"note", run.note},
+          {"family", run.family},
+          {"overrides", run.overrides},
+          {"solvers", solvers}};
 }
 
 SolverStatus status_from(int number) {
@@ -64,6 +69,7 @@ RunOutcome run_from(const json& stored, const fs::path& campaign_folder) {
   RunOutcome run;
   run.name = stored.at("name");
   run.note = stored.at("note");
+  run.family = stored.at("family");
   run.overrides = stored.at("overrides").get<std::vector<std::string>>();
   const fs::path folder = run_folder(campaign_folder, run.name);
   run.study = stored_case(folder);
@@ -83,6 +89,7 @@ CampaignOutcome outcome_from(const json& stored, const fs::path& folder) {
   outcome.wall_time = stored.at("wall_time");
   for (const json& run : stored.at("runs"))
     outcome.runs.push_back(run_from(run, folder));
+  outcome.families = families_of(outcome.runs);
   return outcome;
 }
 

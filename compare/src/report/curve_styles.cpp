@@ -23,15 +23,6 @@ bool is_line(const std::string& source) {
   return source == "exact" || source == "exact-fem" || source == "eq-1";
 }
 
-CurveStyle shape_of(const std::string& source) {
-  if (source == "exact") return {black, true, 1, 0, 0};
-  if (source == "exact-fem") return {grey, true, 2, 0, 0};
-  if (source == "eq-1") return {grey, true, 4, 0, 0};
-  if (source == "mpm") return {colour_number(0), false, 1, 7, 0.5};
-  if (source == "fem") return {colour_number(1), false, 1, 4, 0.62};
-  return {colour_number(2), false, 1, 8, 0.62};
-}
-
 /// Half way to black: a line of a run is seen on top of its markers.
 std::string darkened(const std::string& colour) {
   const auto channel = [&](std::size_t at) { return std::stoi(colour.substr(at, 2), nullptr, 16) / 2; };
@@ -49,13 +40,22 @@ std::map<std::string, std::size_t> order_of_runs(const Plot& plot) {
 
 } // namespace
 
+CurveStyle style_of(const std::string& source) {
+  if (source == "exact") return {black, true, 1, 0, 0};
+  if (source == "exact-fem") return {grey, true, 2, 0, 0};
+  if (source == "eq-1") return {grey, true, 4, 0, 0};
+  if (source == "mpm") return {colour_number(0), false, 1, 7, 0.5};
+  if (source == "fem") return {colour_number(1), false, 1, 4, 0.62};
+  return {colour_number(2), false, 1, 8, 0.62};
+}
+
 std::vector<CurveStyle> styles_of(const Plot& plot) {
   const std::map<std::string, std::size_t> runs = order_of_runs(plot);
   std::map<std::string, std::size_t> references;
   int equations = 0;
   std::vector<CurveStyle> styles;
   for (const PlotCurve& curve : plot.curves) {
-    CurveStyle style = shape_of(curve.source);
+    CurveStyle style = style_of(curve.source);
     if (curve.source == "eq-1") {
       style.colour = equations == 0 ? black : grey;
       style.dash_type = 4 - equations % 3;

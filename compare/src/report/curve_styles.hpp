@@ -17,6 +17,9 @@ struct CurveStyle {
   double point_size = 0.5; ///< of markers
 };
 
+/// How a source looks where it is alone: "mpm", "fem", an exact solution, or anything else.
+CurveStyle style_of(const std::string& source);
+
 /// One style a curve. A figure about one run has a colour for each source, a figure about several runs a colour for
 /// each run; the shape tells the source in both. Colours: Okabe & Ito (2008), distinguishable by the colour-blind.
 std::vector<CurveStyle> styles_of(const Plot& plot);

@@ -2,6 +2,7 @@
 /// Figures as SVG, drawn by gnuplot.
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 #include "figure_data.hpp"
@@ -10,6 +11,12 @@ namespace settle::compare::report {
 
 /// The gnuplot script that draws a figure as SVG, its data inside.
 std::string gnuplot_script(const Plot& plot);
+
+/// A text as a gnuplot string: single quotes, in which nothing is substituted.
+std::string gnuplot_text(const std::string& text);
+
+/// The part of a script that all figures share: the terminal, margins, a legend of so many rows below the plot.
+std::string gnuplot_canvas(std::size_t legend_rows);
 
 /// Runs gnuplot on a script and returns what it drew. Throws FileError where gnuplot is missing or fails.
 std::string run_gnuplot(const std::string& script);

@@ -10,26 +10,6 @@ namespace settle::compare::report {
 
 namespace {
 
-// Pixels of the drawing. Narrow, with large letters, so that it is still readable on a phone.
-constexpr int width = 540;
-constexpr int plot_height = 430;
-constexpr int left_margin = 62;
-constexpr int right_margin = 18;
-constexpr int top_margin = 12;
-constexpr int axis_space = 74; // ticks and title below the plot
-constexpr int legend_row = 22;
-constexpr int font_size = 15;
-
-/// A gnuplot string: single quotes, in which nothing is substituted.
-std::string quoted(const std::string& text) {
-  std::string result = "'";
-  for (const char c : printable(text)) {
-    if (c == '\'') result += '\'';
-    result += c == '\n' ? ' ' : c;
-  }
-  return result + "'";
-}
-
 std::string data_block(const PlotCurve& curve, std::size_t index) {
   std::string block = fmt::format("$curve{} << END_OF_DATA\n", index);
   for (const Segment& segment : curve.profile) {
@@ -50,22 +30,9 @@ std::string plot_command(const Plot& plot) {
   std::string command = "plot ";
   for (std::size_t i = 0; i < plot.curves.size(); ++i) {
     command += fmt::format("{}$curve{} using 1:2 {} title {}", i == 0 ? "" : ", \\\n  ", i, drawing(styles[i]),
-                           quoted(plot.curves[i].label));
+                           gnuplot_text(plot.curves[i].label));
   }
   return command + "\n";
-}
-
-std::string canvas(std::size_t legend_rows) {
-  const int below = axis_space + legend_row * static_cast<int>(legend_rows) + 8;
-  const int height = top_margin + plot_height + below;
-  const double legend_top = static_cast<double>(below - axis_space) / height;
-  return fmt::format("set encoding utf8\n"
-                     "set terminal svg size {},{} dynamic noenhanced font 'sans-serif,{}'\n"
-                     "set margins screen {:.5f}, screen {:.5f}, screen {:.5f}, screen {:.5f}\n"
-                     "set key at screen 0.02, screen {:.5f} left top vertical Left reverse samplen 2.4 width 0\n",
-                     width, height, font_size, static_cast<double>(left_margin) / width,
-                     1.0 - static_cast<double>(right_margin) / width, static_cast<double>(below) / height,
-                     1.0 - static_cast<double>(top_margin) / height, legend_top);
 }
 
 std::string axes(const Plot& plot) {
@@ -77,7 +44,7 @@ std::string axes(const Plot& plot) {
                      "set ylabel 'Height in the design geometry [m]' offset 1.2,0\n"
                      "set xrange [{}:*]\n"
                      "set yrange [0:{:.6g}]\n",
-                     quoted(fmt::format("{}{} [{}]", axis.title, axis.sense, axis.unit)),
+                     gnuplot_text(fmt::format("{}{} [{}]", axis.title, axis.sense, axis.unit)),
                      plot.quantity == exchange::Quantity::density ? "*" : "*<0", 1.02 * plot.top);
 }
 
@@ -96,7 +63,7 @@ std::string stage_labels(const Plot& plot) {
   for (const StageLabel& label : plot.stage_labels) {
     text +=
         fmt::format("set label {} at {:.6g}, {:.6g} left offset 0.6,-0.1 font 'sans-serif,13' tc rgb '#444444' front\n",
-                    quoted(label.text), label.at.value, label.at.height);
+                    gnuplot_text(label.text), label.at.value, label.at.height);
   }
   return text;
 }
@@ -104,7 +71,7 @@ std::string stage_labels(const Plot& plot) {
 } // namespace
 
 std::string gnuplot_script(const Plot& plot) {
-  std::string script = canvas(plot.curves.size()) + axes(plot) + layer_lines(plot) + stage_labels(plot);
+  std::string script = gnuplot_canvas(plot.curves.size()) + axes(plot) + layer_lines(plot) + stage_labels(plot);
   for (std::size_t i = 0; i < plot.curves.size(); ++i)
     script += data_block(plot.curves[i], i);
   return script + plot_command(plot);

@@ -5,18 +5,26 @@
 
 namespace settle::compare::report {
 
-std::string figure_html(const Plot& plot, const std::string& caption) {
+std::string figure_html(const Drawing& drawing) {
   data figure;
-  figure.set("id", plot.id);
-  figure.set("title", text_or_nothing(plot.title));
-  figure.set("caption", text_or_nothing(caption));
-  figure.set("svg", plot.curves.empty() ? data(false)
-                                        : data(inline_svg(run_gnuplot(gnuplot_script(plot)), plot.id, plot.title)));
+  figure.set("id", drawing.id);
+  figure.set("title", text_or_nothing(drawing.title));
+  figure.set("caption", text_or_nothing(drawing.caption));
+  figure.set("svg", drawing.script.empty() ? data(false)
+                                           : data(inline_svg(run_gnuplot(drawing.script), drawing.id, drawing.title)));
   data missing(data::type::list);
-  for (const std::string& sentence : plot.missing)
+  for (const std::string& sentence : drawing.missing)
     missing.push_back(data("sentence", sentence));
-  figure.set("missing", plot.missing.empty() ? data(false) : data("sentences", missing));
+  figure.set("missing", drawing.missing.empty() ? data(false) : data("sentences", missing));
   return render(templates::figure, figure);
+}
+
+std::string figure_html(const Plot& plot, const std::string& caption) {
+  return figure_html(Drawing{.id = plot.id,
+                             .title = plot.title,
+                             .caption = caption,
+                             .script = plot.curves.empty() ? std::string() : gnuplot_script(plot),
+                             .missing = plot.missing});
 }
 
 } // namespace settle::compare::report

@@ -15,12 +15,24 @@ struct Plot;
 /// The address of a run's section: unique in the page.
 std::string anchor_of(const CampaignOutcome& outcome, const RunOutcome& run);
 
+/// The same of a refinement family's section.
+std::string anchor_of(const CampaignOutcome& outcome, const Family& family);
+
 /// Verdicts, what did not pass first; a long list of passed ones is folded.
 std::string verdicts_html(const CampaignOutcome& outcome);
 /// One line a run: status, key figures, time.
 std::string overview_html(const CampaignOutcome& outcome);
+/// What the refinement families show: figures, levels, conclusions; empty where the campaign has none.
+std::string families_html(const CampaignOutcome& outcome);
 /// A figure with its caption.
 std::string figure_html(const Plot& plot, const std::string& caption);
+/// A drawing with title and caption; a sentence for each curve that is not in it.
+struct Drawing {
+  std::string id, title, caption;
+  std::string script; ///< gnuplot's; empty: there is nothing to draw
+  std::vector<std::string> missing;
+};
+std::string figure_html(const Drawing& drawing);
 /// The published numbers beside ours; empty where the campaign has none.
 std::string published_html(const CampaignOutcome& outcome);
 /// One run's section.

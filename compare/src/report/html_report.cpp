@@ -71,6 +71,8 @@ std::string html_report(const CampaignOutcome& outcome) {
   page.set("figures", figures.empty() ? data(false) : data(figures));
   const std::string published = published_html(outcome);
   page.set("published", published.empty() ? data(false) : data(published));
+  const std::string families = families_html(outcome);
+  page.set("families", families.empty() ? data(false) : data(families));
   page.set("runs", runs(outcome));
   page.set("command", printable(outcome.command));
   page.set("provenance", provenance(outcome));

@@ -32,6 +32,14 @@ std::string margin_text(double left) {
   return left < -10.0 ? "far outside" : percent(left);
 }
 
+/// The address of the section of a run or a family.
+std::string anchor_of_name(const CampaignOutcome& outcome, const std::string& name) {
+  for (const Family& family : outcome.families) {
+    if (family.name == name) return anchor_of(outcome, family);
+  }
+  return anchor_of(outcome, *outcome.find(name));
+}
+
 std::vector<Cell> verdict_row(const CampaignOutcome& outcome, const Verdict& verdict) {
   const std::string band = accepted_band(verdict);
   const std::string value = band.empty() ? "" : value_text(verdict, verdict.value);
@@ -40,7 +48,7 @@ std::vector<Cell> verdict_row(const CampaignOutcome& outcome, const Verdict& ver
   const std::string second = verdict.message.empty() ? "" : verdict.why;
   return {
       status_cell(verdict.status),
-      {.text = verdict.run, .link = fmt::format("#{}", anchor_of(outcome, *outcome.find(verdict.run)))},
+      {.text = verdict.run, .link = fmt::format("#{}", anchor_of_name(outcome, verdict.run))},
       {.text = verdict.what, .small_print = verdict.scale.empty() ? "" : fmt::format("relative to {}", verdict.scale)},
       {.text = value},
       {.text = band},
@@ -89,6 +97,11 @@ std::vector<Cell> overview_row(const CampaignOutcome& outcome, const RunOutcome&
 std::string anchor_of(const CampaignOutcome& outcome, const RunOutcome& run) {
   const auto index = &run - outcome.runs.data();
   return fmt::format("run-{}-{}", index + 1, slug(run.name));
+}
+
+std::string anchor_of(const CampaignOutcome& outcome, const Family& family) {
+  const auto index = &family - outcome.families.data();
+  return fmt::format("family-{}-{}", index + 1, slug(family.name));
 }
 
 std::string verdicts_html(const CampaignOutcome& outcome) {

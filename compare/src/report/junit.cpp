@@ -63,6 +63,15 @@ double wall_time(const RunOutcome& run) {
   return sum;
 }
 
+void append_suite(pugi::xml_node suites, const std::string& name, const std::vector<Verdict>& verdicts, double time) {
+  pugi::xml_node suite = suites.append_child("testsuite");
+  set(suite, "name", name);
+  set_counts(suite, verdicts);
+  set(suite, "time", fmt::format("{:.3f}", time));
+  for (const Verdict& verdict : verdicts)
+    append_test(suite, verdict);
+}
+
 } // namespace
 
 std::string junit_xml(const CampaignOutcome& outcome) {
@@ -70,15 +79,10 @@ std::string junit_xml(const CampaignOutcome& outcome) {
   pugi::xml_node suites = document.append_child("testsuites");
   set(suites, "name", outcome.campaign.title);
   set_counts(suites, report::all_verdicts(outcome));
-  for (const RunOutcome& run : outcome.runs) {
-    const std::vector<Verdict> verdicts = reported_verdicts(run);
-    pugi::xml_node suite = suites.append_child("testsuite");
-    set(suite, "name", run.name);
-    set_counts(suite, verdicts);
-    set(suite, "time", fmt::format("{:.3f}", wall_time(run)));
-    for (const Verdict& verdict : verdicts)
-      append_test(suite, verdict);
-  }
+  for (const Family& family : outcome.families)
+    append_suite(suites, family.name, family.verdicts, 0.0); // its solvers' time is that of its runs
+  for (const RunOutcome& run : outcome.runs)
+    append_suite(suites, run.name, reported_verdicts(run), wall_time(run));
   std::ostringstream text;
   document.save(text, "  ");
   return text.str();

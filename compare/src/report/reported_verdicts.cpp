@@ -59,6 +59,8 @@ int rank(Status status) {
 
 std::vector<Verdict> all_verdicts(const CampaignOutcome& outcome) {
   std::vector<Verdict> all;
+  for (const Family& family : outcome.families)
+    all.insert(all.end(), family.verdicts.begin(), family.verdicts.end());
   for (const RunOutcome& run : outcome.runs) {
     const std::vector<Verdict> verdicts = reported_verdicts(run);
     all.insert(all.end(), verdicts.begin(), verdicts.end());
@@ -95,6 +97,7 @@ std::string value_text(const Verdict& verdict, double value) {
 }
 
 std::string accepted_band(const Verdict& verdict) {
+  if (std::isnan(verdict.limit)) return "";
   if (!std::isfinite(verdict.value) && !(verdict.limit > 0.0)) return "";
   if (verdict.at_least == verdict.limit) return value_text(verdict, verdict.limit);
   if (!(verdict.at_least > 0.0)) return "≤ " + value_text(verdict, verdict.limit);

@@ -9,7 +9,7 @@
 
 namespace settle::compare::report {
 
-/// The verdicts of all runs, in the order of the runs.
+/// The verdicts of all refinement families, then of all runs, in their order.
 std::vector<Verdict> all_verdicts(const CampaignOutcome& outcome);
 /// The same with what did not pass first: error, missing, failed, passed; the order within one status is kept.
 std::vector<Verdict> worst_first(std::vector<Verdict> verdicts);

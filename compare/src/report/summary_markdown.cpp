@@ -6,6 +6,8 @@
 #include "format.hpp"
 #include "html_parts.hpp"
 #include "reported_verdicts.hpp"
+#include "settle/compare/convergence_text.hpp"
+#include "settle/compare/refinement_levels.hpp"
 #include "statistic_text.hpp"
 
 namespace settle::compare {
@@ -76,6 +78,22 @@ std::string key_figures(const CampaignOutcome& outcome) {
   return text;
 }
 
+std::string convergence(const CampaignOutcome& outcome) {
+  std::string text;
+  for (const Family& family : outcome.families) {
+    text += fmt::format("## Convergence of {}\n\n", cell(family.name));
+    for (const ConvergenceStudy& study : family.studies) {
+      text += fmt::format("{}: **{}**\n\n| {} | norm [{}] | {} | order |\n|---:|---:|---:|---:|\n", cell(study.title()),
+                          cell(conclusion_of(study)), size_title(family.size), study.unit,
+                          study.errors.empty() ? "change" : "error");
+      for (const ConvergenceRow& row : rows_of(study))
+        text += fmt::format("| {} | {} | {} | {} |\n", row.size, row.value, row.error, row.order);
+      text += "\n";
+    }
+  }
+  return text;
+}
+
 } // namespace
 
 std::string summary_markdown(const CampaignOutcome& outcome) {
@@ -85,7 +103,7 @@ std::string summary_markdown(const CampaignOutcome& outcome) {
                   count_text(count(verdicts)), outcome.runs.size(), duration(outcome.wall_time));
   const std::string tail = fmt::format("\nsettle {} ({}), {}. Again: `{}`\n", outcome.program_version, outcome.commit,
                                        outcome.created, printable(outcome.command));
-  return head + problems(verdicts) + key_figures(outcome) + tail;
+  return head + problems(verdicts) + convergence(outcome) + key_figures(outcome) + tail;
 }
 
 } // namespace settle::compare

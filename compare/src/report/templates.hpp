@@ -11,5 +11,6 @@ extern const char* const verdicts;
 extern const char* const figure;
 extern const char* const run;
 extern const char* const published;
+extern const char* const family;
 
 } // namespace settle::compare::report::templates

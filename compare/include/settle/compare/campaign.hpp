@@ -19,8 +19,9 @@ struct RunEntry {
   std::vector<std::string> solvers{"mpm", "fem"};
   std::map<std::string, std::string> set;                 ///< dotted key -> TOML value
   std::map<std::string, std::vector<std::string>> matrix; ///< dotted key -> TOML values; the product of all keys is run
-  double time_limit = 600.0;                              ///< wall time of one solver [s]
-  std::string note; ///< shown in the report: what this run is for, what is known to differ
+  bool converge = false;     ///< run the levels of the case's `[converge]`, as one refinement family
+  double time_limit = 600.0; ///< wall time of one solver [s]
+  std::string note;          ///< shown in the report: what this run is for, what is known to differ
 };
 
 /// A curve of a figure.

@@ -27,4 +27,9 @@ std::string campaign_schema();
 Campaign campaign_of_case(const std::filesystem::path& case_file, const std::vector<std::string>& overrides,
                           const std::vector<std::string>& solvers);
 
+/// The campaign of one case's refinement family. `solvers` may be empty: those of which the case expects something.
+/// Throws InputError also where the case cannot be read.
+Campaign refinement_of_case(const std::filesystem::path& case_file, const std::vector<std::string>& overrides,
+                            const std::vector<std::string>& solvers);
+
 } // namespace settle::compare

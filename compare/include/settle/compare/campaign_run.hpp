@@ -36,6 +36,6 @@ struct RunOptions {
 CampaignOutcome run_campaign(const Campaign& campaign, const RunOptions& options, const std::atomic<bool>& stop);
 
 /// The exit code of `settle`: a solver that failed goes before what is missing, that before a verdict not passed.
-exchange::ExitCode exit_code_of(const std::vector<RunOutcome>& runs);
+exchange::ExitCode exit_code_of(const std::vector<RunOutcome>& runs, const std::vector<Family>& families = {});
 
 } // namespace settle::compare

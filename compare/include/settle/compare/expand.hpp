@@ -15,6 +15,7 @@ namespace settle::compare {
 struct ExpandedRun {
   std::string name;
   std::string note;
+  std::string family; ///< the entry's name where the run is a level of a refinement family, else empty
   std::filesystem::path case_file;
   std::vector<std::string> overrides; ///< `key=value`
   std::vector<std::string> solvers;
@@ -23,8 +24,9 @@ struct ExpandedRun {
 };
 
 /// Every run of a campaign, in the file's order, the last key of a matrix varying fastest. Throws InputError for a case
-/// that cannot be read, for runs that would have one name or folder, for a placeholder that is no key of the matrix,
-/// and for figures or published numbers that name a run or a source there is not.
+/// that cannot be read, for levels that do not become finer, for runs that would have one name or folder, for a
+/// placeholder that is no key of the matrix, and for figures or published numbers that name a run or a source there is
+/// not.
 std::vector<ExpandedRun> expand(const Campaign& campaign);
 
 /// A run's name as a file name: everything but letters, digits, ".", "_", "-" becomes "_".

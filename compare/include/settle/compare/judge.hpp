@@ -9,7 +9,7 @@
 namespace settle::compare {
 
 /// Every verdict of a run, in the order solver, physics, audit, check. Each check of the case gets exactly one;
-/// what is missing is "missing".
+/// what is missing is "missing". On the levels of a refinement family the checks are left out: the family is judged.
 std::vector<Verdict> judge(const RunOutcome& run);
 
 /// Reads the run's reference tables, fills `splits` and `verdicts`. A table that cannot be read is an "error" verdict.

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "settle/compare/campaign.hpp"
+#include "settle/compare/family.hpp"
 #include "settle/compare/verdict.hpp"
 #include "settle/exchange/result.hpp"
 
@@ -71,6 +72,7 @@ struct ReferenceTable {
 struct RunOutcome {
   std::string name{};
   std::string note{};
+  std::string family{}; ///< of which refinement family the run is a level; empty: of none
   exchange::Case study{};
   std::vector<std::string> overrides{}; ///< `key=value`
   std::vector<SolverRun> solvers{};
@@ -90,6 +92,7 @@ struct CampaignOutcome {
   std::string program_version{}, commit{};
   double wall_time = 0; ///< [s]
   std::vector<RunOutcome> runs{};
+  std::vector<Family> families{}; ///< refinement families among the runs
 
   [[nodiscard]] const RunOutcome* find(const std::string& run) const;
 };

@@ -24,7 +24,8 @@ std::string summary_markdown(const CampaignOutcome& outcome);
 /// Every verdict with all its fields, as JSON; a number that is not finite is null.
 std::string verdicts_json(const CampaignOutcome& outcome);
 
-/// The verdicts as JUnit XML: a suite a run, a test case a verdict; missing and error are errors.
+/// The verdicts as JUnit XML: a suite a refinement family and a run, a test case a verdict; missing and error are
+/// errors.
 std::string junit_xml(const CampaignOutcome& outcome);
 
 /// The verdicts of one run as a report states them: a check or an audit that claims to have passed without a finite

@@ -22,10 +22,10 @@ std::string_view name_of(Status status);
 /// One judged comparison or audit.
 struct Verdict {
   Status status = Status::missing;
-  std::string run{};  ///< the run's name in its campaign
+  std::string run{};  ///< the name of the run or family in its campaign
   std::string what{}; ///< "settlement, mpm - exact, l2 over points, last stage"
   std::string kind{}; ///< "check" (the case's own), "audit" (conservation), "physics" (solver used what the case says),
-                      ///< "solver" (did it finish)
+                      ///< "solver" (did it finish), "convergence" (of a refinement family)
   double value = std::numeric_limits<double>::quiet_NaN(); ///< measured, relative to `scale`
   double at_least = 0;                                     ///< lower end of the accepted band
   double limit = 0;                                        ///< upper end of the accepted band

@@ -1,0 +1,34 @@
+#include "quantity_unit.hpp"
+
+namespace settle::compare {
+
+using exchange::Quantity;
+
+namespace {
+
+std::string unit_of(Quantity quantity) {
+  switch (quantity) {
+  case Quantity::settlement:
+    return "m";
+  case Quantity::vertical_stress:
+  case Quantity::lateral_stress:
+    return "Pa";
+  case Quantity::density:
+    return "kg/m3";
+  case Quantity::base_reaction:
+    return "N/m";
+  case Quantity::mass:
+    return "kg/m";
+  }
+  return "";
+}
+
+} // namespace
+
+std::string unit_of(Quantity quantity, int dimension) {
+  if (dimension == 3 && quantity == Quantity::base_reaction) return "N";
+  if (dimension == 3 && quantity == Quantity::mass) return "kg";
+  return unit_of(quantity);
+}
+
+} // namespace settle::compare

@@ -1,0 +1,156 @@
+#include "convergence_figure.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "curve_styles.hpp"
+#include "gnuplot.hpp"
+#include "settle/compare/refinement_levels.hpp"
+
+namespace settle::compare::report {
+
+namespace {
+
+/// A level on logarithmic axes.
+struct LevelPoint {
+  double size = 0;
+  double error = 0;
+};
+
+/// The levels that have a place on logarithmic axes: errors, or changes from the level before relative to the value.
+std::vector<LevelPoint> drawable(const ConvergenceStudy& study) {
+  std::vector<LevelPoint> points;
+  for (std::size_t i = 0; i < study.values.size(); ++i) {
+    const bool exact = !study.errors.empty();
+    if (!exact && i == 0) continue;
+    const double error = exact ? study.errors[i] : std::abs((study.values[i] - study.values[i - 1]) / study.values[i]);
+    if (error > 0.0 && std::isfinite(error)) points.push_back({study.sizes[i], error});
+  }
+  return points;
+}
+
+std::string label_of(const ConvergenceStudy& study) {
+  std::string text = fmt::format("{}: {}", study.title(), exchange::name_of(study.finding.verdict));
+  if (std::isfinite(study.finding.order)) text += fmt::format(", order {:.2f}", study.finding.order);
+  return text;
+}
+
+/// Studies of one solver share its colour and differ in the shape of their markers.
+CurveStyle style_of_study(const ConvergencePlot& plot, std::size_t index) {
+  const std::string& solver = plot.studies[index]->expected.solver;
+  CurveStyle style = style_of(solver);
+  const auto earlier = std::count_if(plot.studies.begin(), plot.studies.begin() + static_cast<std::ptrdiff_t>(index),
+                                     [&](const ConvergenceStudy* study) { return study->expected.solver == solver; });
+  style.point_type += 2 * static_cast<int>(earlier); // gnuplot: circle, triangle, ... ; square, circle, ...
+  style.point_size = 0.9;
+  return style;
+}
+
+std::string data_block(const std::string& name, const std::vector<LevelPoint>& points) {
+  std::string block = fmt::format("${} << END_OF_DATA\n", name);
+  for (const LevelPoint& point : points)
+    block += fmt::format("{:.6g} {:.6g}\n", point.size, point.error);
+  return block + "END_OF_DATA\n";
+}
+
+/// The fitted line between its ends; empty where there is none.
+std::vector<LevelPoint> fitted_line(const ConvergenceStudy& study) {
+  const double at_coarsest = study.finding.fit.error_at(study.sizes.front());
+  if (study.finding.verdict != exchange::Convergence::converging || !std::isfinite(at_coarsest)) return {};
+  return {{study.sizes.front(), at_coarsest}, {study.sizes.back(), study.finding.fit.error_at(study.sizes.back())}};
+}
+
+/// A triangle of the expected slope below the fitted line: its legs are one unit along and `order` units up.
+std::string slope_triangle(const ConvergenceStudy& study) {
+  const double order = *study.expected.order;
+  const double span = std::log(study.sizes.front() / study.sizes.back());
+  const double left = study.sizes.back() * std::exp(0.5 * span);
+  const double right = study.sizes.back() * std::exp(0.8 * span);
+  const double low = 0.45 * study.finding.fit.error_at(left);
+  const double high = low * std::pow(right / left, order);
+  const std::string line = "nohead front lw 1.1 lc rgb '#444444'";
+  return fmt::format("set arrow from {0:.6g}, {2:.6g} to {1:.6g}, {2:.6g} {4}\n"
+                     "set arrow from {1:.6g}, {2:.6g} to {1:.6g}, {3:.6g} {4}\n"
+                     "set arrow from {0:.6g}, {2:.6g} to {1:.6g}, {3:.6g} {4}\n"
+                     "set label '1' at {5:.6g}, {2:.6g} center offset 0,-0.7 tc rgb '#444444' front\n"
+                     "set label '{6:.3g}' at {1:.6g}, {7:.6g} left offset 0.5,0 tc rgb '#444444' front\n",
+                     left, right, low, high, line, std::sqrt(left * right), order, std::sqrt(low * high));
+}
+
+/// One triangle for each order that is expected and observed.
+std::string slope_triangles(const ConvergencePlot& plot) {
+  std::string text;
+  std::vector<double> drawn;
+  for (const ConvergenceStudy* study : plot.studies) {
+    if (!study->expected.order || fitted_line(*study).empty()) continue;
+    if (std::find(drawn.begin(), drawn.end(), *study->expected.order) != drawn.end()) continue;
+    drawn.push_back(*study->expected.order);
+    text += slope_triangle(*study);
+  }
+  return text;
+}
+
+std::string axes(const ConvergencePlot& plot) {
+  std::vector<double> sizes;
+  for (const ConvergenceStudy* study : plot.studies)
+    sizes.insert(sizes.end(), study->sizes.begin(), study->sizes.end());
+  std::sort(sizes.begin(), sizes.end());
+  sizes.erase(std::unique(sizes.begin(), sizes.end()), sizes.end());
+  std::vector<std::string> tics;
+  for (const double size : sizes)
+    tics.push_back(fmt::format("'{0:.4g}' {0:.6g}", size));
+  return fmt::format("set border 3 lw 1 lc rgb '#555555'\n"
+                     "set tics nomirror out scale 0.6\n"
+                     "set grid xtics ytics lt 1 lw 0.8 lc rgb '#E4E4E4'\n"
+                     "set logscale xy\n"
+                     "set format y '%.0e'\n"
+                     "set xlabel {} offset 0,0.2\n"
+                     "set ylabel 'Relative error, {} [-]' offset 0.2,0\n"
+                     "set xtics ({})\n"
+                     "set xrange [{:.6g}:{:.6g}]\n"
+                     "set offsets graph 0, graph 0, graph 0.1, graph 0.1\n",
+                     gnuplot_text(size_title(plot.size)), exchange::name_of(plot.quantity), fmt::join(tics, ", "),
+                     0.8 * sizes.front(), 1.25 * sizes.back());
+}
+
+} // namespace
+
+std::vector<ConvergencePlot> convergence_plots(const Family& family, std::vector<std::string>& missing) {
+  std::vector<ConvergencePlot> plots;
+  for (const ConvergenceStudy& study : family.studies) {
+    if (!study.problem.empty() || drawable(study).empty()) {
+      missing.push_back(
+          fmt::format("{}: {}", study.title(), study.problem.empty() ? "no error above zero" : study.problem));
+      continue;
+    }
+    const auto same = [&](const ConvergencePlot& plot) { return plot.quantity == study.expected.quantity; };
+    auto plot = std::find_if(plots.begin(), plots.end(), same);
+    if (plot == plots.end())
+      plot = plots.insert(plots.end(), {.quantity = study.expected.quantity, .size = family.size, .studies = {}});
+    plot->studies.push_back(&study);
+  }
+  return plots;
+}
+
+std::string gnuplot_script(const ConvergencePlot& plot) {
+  std::string script = gnuplot_canvas(plot.studies.size()) + axes(plot) + slope_triangles(plot);
+  std::vector<std::string> curves;
+  for (std::size_t i = 0; i < plot.studies.size(); ++i) {
+    const ConvergenceStudy& study = *plot.studies[i];
+    const CurveStyle style = style_of_study(plot, i);
+    const std::vector<LevelPoint> line = fitted_line(study);
+    script += data_block(fmt::format("levels{}", i), drawable(study));
+    curves.push_back(fmt::format("$levels{} using 1:2 with {} pt {} ps {} lw 1 dt 3 lc rgb '{}' title {}", i,
+                                 line.empty() ? "linespoints" : "points", style.point_type, style.point_size,
+                                 style.colour, gnuplot_text(label_of(study))));
+    if (line.empty()) continue;
+    script += data_block(fmt::format("line{}", i), line);
+    curves.push_back(fmt::format("$line{} using 1:2 with lines lw 1.2 lc rgb '{}' notitle", i, style.colour));
+  }
+  return script + fmt::format("plot {}\n", fmt::join(curves, ", \\\n  "));
+}
+
+} // namespace settle::compare::report
