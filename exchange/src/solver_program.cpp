@@ -27,9 +27,10 @@ struct Arguments {
 
 void declare(CLI::App& app, Arguments& arguments, const SolverProgram& program) {
   app.add_option("CASE", arguments.study, "case file (TOML)")->required();
-  CLI::Option* out = app.add_option("--out", arguments.out, "result file to write (HDF5)");
-  app.add_option("--set", arguments.overrides, "override a key of the case, as key=value; may be repeated")->take_all();
-  app.add_flag("--check", arguments.check, "only check that the case can be run")->excludes(out);
+  app.add_option("--out", arguments.out, "result file to write (HDF5)");
+  app.add_option("--set", arguments.overrides, "override a key of the case, as key=value; may be repeated")
+      ->allow_extra_args(false);
+  app.add_flag("--check", arguments.check, "only check that the case can be run; writes nothing");
   app.add_flag("--quiet", arguments.quiet, "no progress");
   app.set_version_flag("--version", fmt::format("{} {} (commit {}, {})", program.name, program_version(),
                                                 program_commit(), program.libraries));
