@@ -28,13 +28,14 @@ dealii::SymmetricTensor<4, dim> stiffness(const Elasticity& law) {
          2.0 * law.shear_modulus() * dealii::identity_tensor<dim>();
 }
 
-/// All six components xx yy zz xy yz xz [Pa], tension positive; in plane strain zz = nu (xx + yy).
-template <int dim>
-std::array<double, 6> six_components(const dealii::SymmetricTensor<2, dim>& stress, const Elasticity& law) {
-  if constexpr (dim == 2)
-    return {stress[0][0], stress[1][1], law.poissons_ratio * dealii::trace(stress), stress[0][1], 0.0, 0.0};
-  else
-    return {stress[0][0], stress[1][1], stress[2][2], stress[0][1], stress[1][2], stress[0][2]};
+/// D : eps in space [Pa], for strains of any size: the laws differ in which strain they take.
+inline dealii::SymmetricTensor<2, 3> hooke(const Elasticity& law, const dealii::SymmetricTensor<2, 3>& strain) {
+  return law.lame() * dealii::trace(strain) * dealii::unit_symmetric_tensor<3>() + 2.0 * law.shear_modulus() * strain;
+}
+
+/// All six components xx yy zz xy yz xz [Pa], tension positive.
+inline std::array<double, 6> six_components(const dealii::SymmetricTensor<2, 3>& stress) {
+  return {stress[0][0], stress[1][1], stress[2][2], stress[0][1], stress[1][2], stress[0][2]};
 }
 
 } // namespace settle::fem

@@ -1,26 +1,30 @@
 /// \file
-/// What a placed cell remembers: displacement since it was placed, and stress.
+/// What a placed cell remembers: where it was placed, displacement since, and stress.
 #pragma once
 
 #include <vector>
 
+#include <deal.II/base/point.h>
 #include <deal.II/base/symmetric_tensor.h>
+#include <deal.II/fe/fe.h>
 #include <deal.II/grid/tria_accessor.h>
 #include <deal.II/grid/tria_iterator.h>
 
 namespace settle::fem {
 
-/// Both members are empty until the cell is placed.
+/// All members are empty until the cell is placed.
 template <int dim>
 struct CellHistory {
-  std::vector<double> displacement;                    ///< (dofs per cell) since placement [m]
-  std::vector<dealii::SymmetricTensor<2, dim>> stress; ///< (quadrature points) Cauchy [Pa]
+  std::vector<dealii::Point<dim>> shape;             ///< (support points of the geometry) as placed [m]
+  std::vector<double> displacement;                  ///< (dofs per cell) since placement [m]
+  std::vector<dealii::SymmetricTensor<2, 3>> stress; ///< (quadrature points) Cauchy [Pa]
 
   [[nodiscard]] bool placed() const { return !displacement.empty(); }
 };
 
 /// The history of all cells of a mesh that is never refined, by the cell's index in the mesh. Kept by cell and not by
-/// node, because cells of two layers that share a node have moved by different amounts since they were placed.
+/// node, because cells of two layers that share a node have moved by different amounts since they were placed, from
+/// different places.
 template <int dim>
 class History {
 public:
@@ -28,8 +32,9 @@ public:
 
   /// Stress-free and undisplaced from here on.
   template <class Cell>
-  void place(const Cell& cell, unsigned n_dofs, unsigned n_quadrature_points) {
-    of(cell) = {std::vector<double>(n_dofs), std::vector<dealii::SymmetricTensor<2, dim>>(n_quadrature_points)};
+  void place(const Cell& cell, std::vector<dealii::Point<dim>> shape, unsigned n_dofs, unsigned n_quadrature_points) {
+    of(cell) = {std::move(shape), std::vector<double>(n_dofs),
+                std::vector<dealii::SymmetricTensor<2, 3>>(n_quadrature_points)};
   }
 
   template <class Cell>
@@ -44,5 +49,15 @@ public:
 private:
   std::vector<CellHistory<dim>> cells_;
 };
+
+/// The vector field with these values at the degrees of freedom of a cell, at a point in unit coordinates.
+template <int dim>
+dealii::Tensor<1, dim> interpolate(const dealii::FiniteElement<dim>& element, const std::vector<double>& at_dofs,
+                                   const dealii::Point<dim>& unit) {
+  dealii::Tensor<1, dim> value;
+  for (unsigned i = 0; i < at_dofs.size(); ++i)
+    value[element.system_to_component_index(i).first] += at_dofs[i] * element.shape_value(i, unit);
+  return value;
+}
 
 } // namespace settle::fem

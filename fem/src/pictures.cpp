@@ -58,7 +58,7 @@ Fields<dim> fields_of(const StagedProblem<dim>& problem, const dealii::DoFHandle
                                                                              cell->index(), &broken);
     broken_cell->set_dof_values(at_dofs, fields.displacement);
     fields.layer[cell->active_cell_index()] = layer_of(cell);
-    const auto stress = six_components(stress_at(problem, cell, middle), problem.law());
+    const auto stress = six_components(stress_at(problem, cell, middle));
     for (std::size_t c = 0; c < 6; ++c)
       fields.stress[c][cell->active_cell_index()] = stress[c];
   }
@@ -99,7 +99,7 @@ void PictureSeries<dim>::add(const StagedProblem<dim>& problem, int stage) {
   out.add_data_vector(fields.layer, "layer", dealii::DataOut<dim>::type_cell_data);
   for (std::size_t c = 0; c < 6; ++c)
     out.add_data_vector(fields.stress[c], stress_names[c], dealii::DataOut<dim>::type_cell_data);
-  out.build_patches(problem.element().degree);
+  out.build_patches(problem.mapping(), problem.element().degree, dealii::DataOut<dim>::curved_inner_cells);
 
   stages_.emplace_back(stage, fmt::format("stage_{:04}.vtu", stage));
   write_file(folder_ / stages_.back().second, [&](std::ostream& stream) { out.write_vtu(stream); });

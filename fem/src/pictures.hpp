@@ -11,7 +11,8 @@
 
 namespace settle::fem {
 
-/// Fields: displacement since placement (discontinuous between cells), layer, and cell means of the stress components.
+/// Cells are drawn where they were placed. Fields: displacement since placement (discontinuous between cells), layer,
+/// and cell means of the stress components.
 template <int dim>
 class PictureSeries {
 public:

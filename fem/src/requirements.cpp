@@ -8,15 +8,26 @@
 namespace settle::fem {
 namespace {
 
-void require_small_strain(const exchange::Case& study) {
+/// At finite strain a layer lies on what has settled below it.
+void require_placement(const exchange::Case& study) {
+  using exchange::Convention;
   if (study.fem.kinematics == exchange::Kinematics::small) return;
-  throw exchange::InputError(exchange::Complaint{
-      .where = study.where("fem.kinematics"),
-      .what = "the finite element solver of this version is small strain only",
-      .given = fmt::format("fem.kinematics = \"{}\"", exchange::name_of(study.fem.kinematics)),
-      .allowed = fmt::format("\"{}\"", exchange::name_of(exchange::Kinematics::small)),
-      .remedy = "use fem.kinematics = \"small\" (comparisons then use the exact small-strain solution), or solve the "
-                "case at finite strain with settle-mpm"});
+  const Convention convention = study.construction.convention;
+  const auto refuse = [&](const std::string& why) {
+    throw exchange::InputError(exchange::Complaint{
+        .where = study.where("construction.convention"),
+        .what = fmt::format("finite elements at finite strain cannot build by \"{}\": {}",
+                            exchange::name_of(convention), why),
+        .given = fmt::format("construction.convention = \"{}\" with fem.kinematics = \"finite\"",
+                             exchange::name_of(convention)),
+        .allowed = fmt::format("\"{}\" or \"{}\"", exchange::name_of(Convention::floating),
+                               exchange::name_of(Convention::level_up)),
+        .remedy = "use \"level-up\", which tends to \"refill\" with the number of layers, or fem.kinematics = "
+                  "\"small\", for which all conventions are the same column, or solve the case with settle-mpm alone"});
+  };
+  if (convention == Convention::refill) refuse("a mesh takes no material during a stage");
+  if (convention == Convention::drop && study.construction.layers > 1)
+    refuse("a mesh cannot close the gap to the settled surface");
 }
 
 } // namespace
@@ -31,7 +42,7 @@ std::array<unsigned, 3> cells_along_axes(const exchange::Case& study) {
 }
 
 void require_solvable(const exchange::Case& study) {
-  require_small_strain(study);
+  require_placement(study);
   static_cast<void>(cells_along_axes(study));
 }
 

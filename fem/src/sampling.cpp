@@ -46,7 +46,7 @@ Cell<dim> cell_around(const StagedProblem<dim>& problem, const exchange::ProbePo
 template <int dim>
 exchange::SamplePoints native_points(const StagedProblem<dim>& problem) {
   exchange::SamplePoints points;
-  dealii::FEValues<dim> values(problem.element(), problem.quadrature(),
+  dealii::FEValues<dim> values(problem.mapping(), problem.element(), problem.quadrature(),
                                dealii::update_values | dealii::update_gradients | dealii::update_quadrature_points |
                                    dealii::update_JxW_values);
   std::vector<dealii::Tensor<1, dim>> displacement(values.n_quadrature_points);
@@ -54,7 +54,7 @@ exchange::SamplePoints native_points(const StagedProblem<dim>& problem) {
     values.reinit(cell);
     const CellHistory<dim>& history = problem.history().of(cell);
     values[displacements].get_function_values_from_local_dof_values(history.displacement, displacement);
-    const auto strain = strains(values, history.displacement);
+    const std::vector<Measure> measures = problem.formulation().measures(values, history);
     for (const unsigned q : values.quadrature_point_indices()) {
       points.id.push_back(std::uint64_t{cell->active_cell_index()} * values.n_quadrature_points + q);
       points.layer.push_back(layer_of(cell));
@@ -62,9 +62,9 @@ exchange::SamplePoints native_points(const StagedProblem<dim>& problem) {
       append(points.placed_position, values.quadrature_point(q));
       append(points.position, values.quadrature_point(q) + displacement[q]);
       append(points.displacement, displacement[q]);
-      append(points.stress, six_components(history.stress[q], problem.law()));
-      points.density.push_back(problem.density() / (1.0 + trace(strain[q])));
-      points.volume.push_back(values.JxW(q));
+      append(points.stress, six_components(history.stress[q]));
+      points.density.push_back(problem.density() * measures[q].density_ratio);
+      points.volume.push_back(values.JxW(q) * measures[q].volume_ratio);
     }
   }
   return points;
@@ -76,9 +76,9 @@ ProbeLines<dim>::ProbeLines(const StagedProblem<dim>& problem, const exchange::C
     for (const exchange::ProbePoint& point : exchange::probe_points(study, line)) {
       const Cell<dim> cell = cell_around(problem, point);
       SETTLE_ASSERT(cell != problem.dofs().end(), name, point.layer, point.x, point.y, point.design_height);
-      const dealii::Point<dim> position = design_point<dim>(point);
-      const dealii::Point<dim> unit = cell->bounding_box().real_to_unit(position);
-      lines_[name].push_back({cell, position, dealii::GeometryInfo<dim>::project_to_unit_cell(unit)});
+      const dealii::Point<dim> designed = design_point<dim>(point);
+      const dealii::Point<dim> unit = cell->bounding_box().real_to_unit(designed);
+      lines_[name].push_back({cell, designed, dealii::GeometryInfo<dim>::project_to_unit_cell(unit)});
     }
 }
 
@@ -90,10 +90,10 @@ std::map<std::string, exchange::ProbeSamples> ProbeLines<dim>::sample(const Stag
     for (const Probe& probe : probes) {
       if (!problem.history().of(probe.cell).placed()) continue;
       samples.layer.push_back(layer_of(probe.cell));
-      append(samples.design_position, probe.position);
-      append(samples.placed_position, probe.position);
+      append(samples.design_position, probe.designed);
+      append(samples.placed_position, problem.mapping().transform_unit_to_real_cell(probe.cell, probe.unit));
       append(samples.displacement, displacement_at(problem, probe.cell, probe.unit));
-      append(samples.stress, six_components(stress_at(problem, probe.cell, probe.unit), problem.law()));
+      append(samples.stress, six_components(stress_at(problem, probe.cell, probe.unit)));
     }
   }
   return lines;

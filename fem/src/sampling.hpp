@@ -13,7 +13,7 @@
 namespace settle::fem {
 
 /// Quadrature points of all placed cells; id = index of the cell x points per cell + point. Position: placed position +
-/// displacement. Density: rho0/(1 + tr eps), eps the strain since placement; volume: of the frozen geometry.
+/// displacement. Density and volume as the formulation measures them.
 template <int dim>
 exchange::SamplePoints native_points(const StagedProblem<dim>& problem);
 
@@ -30,7 +30,7 @@ public:
 private:
   struct Probe {
     typename StagedProblem<dim>::Cell cell;
-    dealii::Point<dim> position; ///< in the design geometry [m]
+    dealii::Point<dim> designed; ///< position in the design geometry [m]
     dealii::Point<dim> unit;     ///< within the cell
   };
   std::map<std::string, std::vector<Probe>> lines_;

@@ -1,6 +1,7 @@
 #include "settle/fem/solver.hpp"
 
 #include <chrono>
+#include <numeric>
 #include <vector>
 
 #include <fmt/format.h>
@@ -31,11 +32,12 @@ struct Ramp {
   Clock::time_point start = Clock::now();
   int increments = 0;
   unsigned linear_solves = 0;
+  double reached = 0.0; ///< gravity factor
   Equilibrium last;
 
-  void add(Equilibrium equilibrium) {
+  void add(Equilibrium equilibrium, double gravity_factor) {
     ++increments;
-    linear_solves += equilibrium.linear_solves();
+    reached = gravity_factor;
     last = std::move(equilibrium);
   }
 };
@@ -48,14 +50,32 @@ std::vector<double> gravity_factors(int increments) {
   return factors;
 }
 
-exchange::NotConverged not_converged(const exchange::Case& study, int layer, double factor,
-                                     const Equilibrium& equilibrium) {
-  return exchange::NotConverged(
-      exchange::Complaint{.where = study.file,
-                          .what = fmt::format("no equilibrium in layer {} at {:.6g} of its gravity", layer, factor),
-                          .given = fmt::format("relative residuals {:.3g}", fmt::join(equilibrium.residuals, ", ")),
-                          .allowed = "",
-                          .remedy = "look for a Poisson's ratio next to 0.5 or a very fine mesh: both lose digits"});
+/// [m] or [m2]; walls keep it what it is.
+double plan_area(const exchange::Geometry& geometry) {
+  return geometry.dimension == 2 ? geometry.width : geometry.width * geometry.depth.value_or(geometry.width);
+}
+
+/// Of an increment of gravity, where equilibrium is not found at once: 1/64 of it is the shortest that is tried.
+constexpr std::size_t increment_halvings_allowed = 6;
+
+/// How a solve failed that is not tried again.
+struct Failure {
+  int layer;
+  double reached, target; ///< gravity factors
+  bool halved;            ///< the increment was shortened before
+  Equilibrium last;
+};
+
+exchange::NotConverged not_converged(const exchange::Case& study, const Failure& failure) {
+  return exchange::NotConverged(exchange::Complaint{
+      .where = study.file,
+      .what = fmt::format("no equilibrium in layer {} between {:.6g} and {:.6g} of its gravity{}", failure.layer,
+                          failure.reached, failure.target,
+                          failure.halved ? ", an increment halved as often as is tried" : ""),
+      .given = fmt::format("relative residuals {:.3g}", fmt::join(failure.last.residuals, ", ")),
+      .allowed = "",
+      .remedy = failure.halved ? "look for material that cannot carry what is placed on it, or raise fem.increments"
+                               : "look for a Poisson's ratio next to 0.5 or a very fine mesh: both lose digits"});
 }
 
 template <int dim>
@@ -64,9 +84,9 @@ public:
   explicit Construction(const exchange::Case& study) : study_(study), problem_(study), probes_(problem_, study) {}
 
   [[nodiscard]] exchange::Used used() const override {
-    exchange::Used used = exchange::used_values(study_, exchange::Kinematics::small);
-    used.youngs_modulus = problem_.law().youngs_modulus;
-    used.poissons_ratio = problem_.law().poissons_ratio;
+    exchange::Used used = exchange::used_values(study_, study_.fem.kinematics);
+    used.youngs_modulus = problem_.constants().youngs_modulus;
+    used.poissons_ratio = problem_.constants().poissons_ratio;
     used.density = problem_.density();
     used.gravity = problem_.gravity();
     used.dimension = dim;
@@ -79,18 +99,33 @@ public:
     for (int layer = 1; layer <= study_.construction.layers; ++layer) {
       Ramp ramp;
       problem_.activate(layer);
-      for (const double factor : gravity_factors(study_.fem.increments.value_or(1))) {
-        Equilibrium equilibrium = problem_.solve(factor);
-        if (!equilibrium.reached()) throw not_converged(study_, layer, factor, equilibrium);
-        problem_.accept();
-        ramp.add(std::move(equilibrium));
-      }
+      for (const double factor : gravity_factors(study_.fem.increments.value_or(1)))
+        raise_gravity(factor, layer, ramp);
       on_stage(report(layer, ramp));
       if (series) series->add(problem_, layer);
     }
   }
 
 private:
+  /// From the factor reached to `target`, through halves of the way where that is too far for one increment. A solve
+  /// that fails leaves the state as it was accepted last.
+  void raise_gravity(double target, int layer, Ramp& ramp) {
+    std::vector<double> targets{target};
+    while (!targets.empty()) {
+      Equilibrium equilibrium = problem_.solve(targets.back());
+      ramp.linear_solves += equilibrium.linear_solves;
+      if (equilibrium.reached()) {
+        problem_.accept();
+        ramp.add(std::move(equilibrium), targets.back());
+        targets.pop_back();
+      } else if (problem_.formulation().linear() || targets.size() > increment_halvings_allowed) {
+        throw not_converged(study_, {layer, ramp.reached, targets.back(), targets.size() > 1, std::move(equilibrium)});
+      } else {
+        targets.push_back((ramp.reached + targets.back()) / 2.0);
+      }
+    }
+  }
+
   [[nodiscard]] exchange::Stage report(int layer, const Ramp& ramp) const {
     exchange::Stage stage;
     stage.layer = layer;
@@ -101,13 +136,12 @@ private:
     stage.base_reaction = ramp.last.base_reaction;
     stage.points = native_points(problem_);
     stage.probes = probes_.sample(problem_);
-    for (std::size_t i = 0; i < stage.points.size(); ++i) {
-      const double mass = problem_.density() * stage.points.volume[i]; // the volume as placed: geometry is frozen
-      stage.mass += mass;
-      if (stage.points.layer[i] == layer) stage.mass_placed += mass;
-    }
+    for (int placed = 1; placed <= layer; ++placed)
+      stage.mass += problem_.mass(placed);
+    stage.mass_placed = problem_.mass(layer);
     stage.weight = stage.mass * problem_.gravity();
-    stage.surface_height = layer * study_.layer_thickness();
+    const std::vector<double>& volumes = stage.points.volume;
+    stage.surface_height = std::accumulate(volumes.begin(), volumes.end(), 0.0) / plan_area(study_.geometry);
     stage.wall_time = std::chrono::duration<double>(Clock::now() - ramp.start).count();
     return stage;
   }

@@ -94,6 +94,7 @@ TEST_F(Program, TakesOverridesAndIsSilentWhenAsked) {
   ASSERT_EQ(result.stages.size(), 2U);
   EXPECT_EQ(result.stages.front().points.size(), 20U * 9U);
   EXPECT_TRUE(fs::exists(file("pictures") / "stage_0002.vtu"));
+  EXPECT_TRUE(fs::exists(file("result.xdmf")));
 }
 
 TEST_F(Program, OnlyChecksWhenAsked) {
@@ -102,8 +103,19 @@ TEST_F(Program, OnlyChecksWhenAsked) {
   EXPECT_THAT(good.output, HasSubstr("can run this case: 5 layers, 40 cells"));
   const Outcome bad = run("column.toml --check --set fem.kinematics=finite");
   EXPECT_EQ(bad.code, 2);
-  EXPECT_THAT(bad.output, AllOf(StartsWith("settle-fem: "), HasSubstr("small strain only"), HasSubstr("--set")));
+  EXPECT_THAT(bad.output, AllOf(StartsWith("settle-fem: "), HasSubstr("finite strain"), HasSubstr("level-up")));
   EXPECT_EQ(std::distance(fs::directory_iterator(file("")), fs::directory_iterator()), 1); // the case alone
+}
+
+TEST_F(Program, SolvesAtFiniteStrainWhenAskedAndSaysSo) {
+  const Outcome outcome = run("column.toml --out result.h5 --quiet --set fem.kinematics=finite "
+                              "--set construction.convention=level-up");
+  ASSERT_EQ(outcome.code, 0) << outcome.output;
+  const exchange::Result result = exchange::read_result(file("result.h5"));
+  EXPECT_EQ(result.used.kinematics, exchange::Kinematics::finite);
+  EXPECT_EQ(result.used.convention, exchange::Convention::level_up);
+  EXPECT_EQ(result.stages.back().steps, 4); // the default at finite strain
+  EXPECT_GT(result.stages.back().mass, 1720 * 5 * 0.125);
 }
 
 TEST_F(Program, EndsWithTwoAndWritesNothingForWhatItCannotRun) {

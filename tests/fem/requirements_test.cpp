@@ -64,14 +64,34 @@ TEST(Requirements, LengthsWithoutACommonDivisorAreSaidToHaveNone) {
               HasSubstr("common divisor"));
 }
 
-TEST(Requirements, FiniteKinematicsIsRefusedWithWhereItWasGivenAndWhatToUse) {
-  exchange::Case study = column({});
+exchange::Case at_finite_strain(exchange::Convention convention, int layers) {
+  exchange::Case study = column({.layers = layers});
   study.fem.kinematics = exchange::Kinematics::finite;
-  study.origins["fem.kinematics"] = "--set fem.kinematics=finite";
-  EXPECT_THAT(complaint_about(study), AllOf(HasSubstr("--set fem.kinematics=finite"), HasSubstr("small strain only"),
-                                            HasSubstr("fem.kinematics = \"finite\""),
-                                            HasSubstr("fem.kinematics = \"small\""), HasSubstr("settle-mpm")));
-  EXPECT_THROW(Solver{study}, exchange::InputError);
+  study.construction.convention = convention;
+  study.origins["construction.convention"] = "column.toml:17:14";
+  return study;
+}
+
+TEST(Requirements, RefillAtFiniteStrainIsRefusedWithWhyAndWhatToUse) {
+  for (const int layers : {1, 5}) {
+    const exchange::Case study = at_finite_strain(exchange::Convention::refill, layers);
+    EXPECT_THAT(complaint_about(study),
+                AllOf(HasSubstr("column.toml:17:14"), HasSubstr("a mesh takes no material during a stage"),
+                      HasSubstr("construction.convention = \"refill\" with fem.kinematics = \"finite\""),
+                      HasSubstr("\"level-up\""), HasSubstr("fem.kinematics = \"small\""), HasSubstr("settle-mpm")));
+    EXPECT_THROW(Solver{study}, exchange::InputError);
+  }
+}
+
+TEST(Requirements, DropAtFiniteStrainIsASingleLayerOnly) {
+  EXPECT_THAT(complaint_about(at_finite_strain(exchange::Convention::drop, 5)),
+              AllOf(HasSubstr("a mesh cannot close the gap"), HasSubstr("\"float\" or \"level-up\"")));
+  EXPECT_EQ(complaint_about(at_finite_strain(exchange::Convention::drop, 1)), "");
+}
+
+TEST(Requirements, LayersOnTheSettledSurfaceAreAcceptedAtFiniteStrain) {
+  EXPECT_EQ(complaint_about(at_finite_strain(exchange::Convention::floating, 5)), "");
+  EXPECT_EQ(complaint_about(at_finite_strain(exchange::Convention::level_up, 5)), "");
 }
 
 class EveryConvention : public ::testing::TestWithParam<exchange::Convention> {};

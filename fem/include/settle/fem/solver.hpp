@@ -15,7 +15,7 @@ namespace settle::fem {
 /// Receives each stage of construction as soon as it is in equilibrium.
 using StageSink = std::function<void(const exchange::Stage&)>;
 
-/// Staged construction with linear elasticity at small strain (docs/fem.md).
+/// Staged construction at small or finite strain (docs/fem.md).
 class Solver {
 public:
   /// Makes the mesh. Throws InputError where this solver cannot run the case (see requirements.hpp).

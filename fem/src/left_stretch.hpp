@@ -1,0 +1,43 @@
+/// \file
+/// The left stretch and the rotation of a motion, and how they change.
+#pragma once
+
+#include <array>
+
+#include <deal.II/base/symmetric_tensor.h>
+
+namespace settle::fem {
+
+/// det(I + H) - 1 without the loss of digits that taking the determinant first would bring at small strain:
+/// the sum of the three invariants of H.
+double volume_change(const dealii::Tensor<2, 3>& gradient);
+
+/// b - I = H + H^T + H H^T for the motion F = I + H, again without cancellation.
+dealii::SymmetricTensor<2, 3> left_strain(const dealii::Tensor<2, 3>& gradient);
+
+/// Polar decomposition F = v r of F = I + H, by the eigenvalues of b - I. det F must be positive.
+///
+/// Rates are those for a rate of deformation d without spin, dF F^-1 = d; spin w adds w x - x w to the rate of each
+/// objective tensor x, and w to that of the rotation.
+class LeftStretch {
+public:
+  explicit LeftStretch(const dealii::Tensor<2, 3>& gradient);
+
+  /// Hencky's strain e = ln v = (1/2) ln b.
+  [[nodiscard]] dealii::SymmetricTensor<2, 3> logarithm() const;
+  /// Its rate (Ogden, Non-linear elastic deformations, 1984, ch. 2.3: divided differences of the logarithm).
+  [[nodiscard]] dealii::SymmetricTensor<2, 3> logarithm_rate(const dealii::SymmetricTensor<2, 3>& d) const;
+  /// r = v^-1 F, orthogonal.
+  [[nodiscard]] dealii::Tensor<2, 3> rotation() const;
+  /// dr r^T, skew; from d v - v d = v (dr r^T) + (dr r^T) v.
+  [[nodiscard]] dealii::Tensor<2, 3> rotation_rate(const dealii::SymmetricTensor<2, 3>& d) const;
+
+private:
+  [[nodiscard]] double stretch(unsigned i) const;
+
+  dealii::Tensor<2, 3> motion_;   ///< F
+  dealii::Tensor<2, 3> basis_;    ///< columns: unit eigenvectors of b
+  std::array<double, 3> strains_; ///< eigenvalues of b - I
+};
+
+} // namespace settle::fem
