@@ -81,6 +81,12 @@ TEST(Placement, ALayerWhoseThicknessIsNoMultipleIsDividedIntoTheNearestNumberOfR
   EXPECT_NEAR(total_volume(body.points), 0.5 * (0.5 + 1.2), 1e-14);
 }
 
+TEST(Placement, TheNearestNumberOfRowsMayBeTheLargerOne) {
+  auto body = block({.columns = 1, .rows = 5, .filled_rows = 1, .size = 0.5});
+  place_layer(body, {.layer = 2, .base = 0.4, .thickness = 1.3}); // 2.6 squares
+  EXPECT_EQ(body.points.size(), 6U + 18U);
+}
+
 TEST(Placement, ALayerThinnerThanHalfASquareStillHasOneRowOfSquares) {
   auto body = block({.columns = 1, .rows = 3, .filled_rows = 1, .size = 0.5});
   place_layer(body, {.layer = 2, .base = 0.5, .thickness = 0.06});

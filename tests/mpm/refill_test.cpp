@@ -1,9 +1,9 @@
 // Refill: when points are added, how many, where.
 
+#include <algorithm>
 #include <cmath>
-#include <numeric>
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include "blocks.hpp"
 #include "settle/mpm/refill.hpp"
@@ -91,6 +91,17 @@ TEST(CloseGap, ClosesEveryColumnExactly) {
   EXPECT_GT(close_gap(body, refill_to(1.5)), 0);
   for (const double height : column_heights(body))
     EXPECT_NEAR(height, 1.5, 1e-13);
+}
+
+TEST(CloseGap, PutsThePartialRowRightBelowTheFullOnes) {
+  auto body = body_below_gap();
+  const double level = 1.5 + 2.6 * row;
+  EXPECT_EQ(close_gap(body, refill_to(level)), 6);
+  std::vector<double> depths; // of the middles of the rows below the design level, in rows
+  for (std::size_t p = 0; p < body.points.size(); ++p)
+    if (body.points.refilled[p] != 0) depths.push_back((level - body.points.position[1][p]) / row);
+  std::sort(depths.begin(), depths.end());
+  EXPECT_THAT(depths, testing::Pointwise(testing::DoubleNear(1e-9), {0.5, 0.5, 1.5, 1.5, 2.3, 2.3}));
 }
 
 TEST(CloseGap, LeavesAGapOpenThatIsBelowHalfAPercentOfARow) {
