@@ -54,14 +54,15 @@ bool turns_for_good(const std::vector<Trend>& trends) {
          std::count(first_rise, trends.end(), Trend::rises) > 1;
 }
 
-void settle_trends(const std::vector<Trend>& trends, ConvergenceFinding& finding) {
+void settle_trends(const std::vector<Trend>& trends, const ConvergenceRules& rules, ConvergenceFinding& finding) {
   const auto last_fall = std::find(trends.rbegin(), trends.rend(), Trend::falls);
   const bool falls = last_fall != trends.rend();
   const bool rises = std::count(trends.begin(), trends.end(), Trend::rises) > 0;
+  const bool flat = !falls && finding.order >= -rules.least_order; // NaN is not flat
   if (rises && falls && !turns_for_good(trends)) {
     finding.verdict = Convergence::oscillating;
     finding.reason = "the error falls between some levels and rises between others";
-  } else if (rises) {
+  } else if (rises && !flat) {
     finding.verdict = Convergence::diverging;
     finding.reason = falls ? "the error falls at first, and rises with every finer level from there"
                            : "the error rises with finer levels and falls nowhere";
@@ -130,7 +131,7 @@ ConvergenceFinding judge_errors(const std::vector<double>& sizes, const std::vec
   finding.fit = fitted_order(sizes, errors);
   finding.order = finding.fit.order;
   finding.band = finding.fit.standard_error;
-  settle_trends(trends_of(errors, finding.pairwise, rules), finding);
+  settle_trends(trends_of(errors, finding.pairwise, rules), rules, finding);
   return finding;
 }
 

@@ -80,6 +80,12 @@ TEST(VerdictOnErrors, IsDivergingWhereTheyRise) {
   EXPECT_EQ(of_errors({1e-15, 1e-3, 1e-2}).verdict, Convergence::diverging);
 }
 
+TEST(VerdictOnErrors, IsFloorLimitedWhereTheyRiseOnceAndStayFlatAsAWhole) {
+  const ConvergenceFinding finding = of_errors({0.22, 0.19, 0.23, 0.23, 0.22});
+  EXPECT_LT(finding.pairwise[1], -0.25);
+  EXPECT_EQ(finding.verdict, Convergence::floor_limited);
+}
+
 TEST(VerdictOnErrors, IsDivergingWhereTheyTurnForGood) {
   EXPECT_EQ(of_errors({0.1, 0.05, 0.025, 0.05, 0.1}).verdict, Convergence::diverging);
 }

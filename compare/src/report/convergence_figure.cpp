@@ -2,17 +2,22 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <set>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "curve_styles.hpp"
 #include "gnuplot.hpp"
+#include "settle/compare/field_samples.hpp"
 #include "settle/compare/refinement_levels.hpp"
 
 namespace settle::compare::report {
 
 namespace {
+
+constexpr int wide_left_margin = 92; // pixels: errors have longer tics than heights
 
 /// A level on logarithmic axes.
 struct LevelPoint {
@@ -32,9 +37,15 @@ std::vector<LevelPoint> drawable(const ConvergenceStudy& study) {
   return points;
 }
 
+/// "MPM, l2 over points: converging, order 1.02"; the axis names the quantity.
 std::string label_of(const ConvergenceStudy& study) {
-  std::string text = fmt::format("{}: {}", study.title(), exchange::name_of(study.finding.verdict));
-  if (std::isfinite(study.finding.order)) text += fmt::format(", order {:.2f}", study.finding.order);
+  const exchange::ExpectedConvergence& expected = study.expected;
+  std::string text = expected.solver == "mpm" ? "MPM" : "FEM";
+  if (study.errors.empty()) text += " against itself";
+  if (is_field(expected.quantity)) text += fmt::format(", {} over {}", name_of(expected.norm), name_of(expected.over));
+  text += fmt::format(": {}", exchange::name_of(study.finding.verdict));
+  const bool floor = study.finding.verdict == exchange::Convergence::floor_limited; // a slope of scatter says nothing
+  if (!floor && std::isfinite(study.finding.order)) text += fmt::format(", order {:.2f}", study.finding.order);
   return text;
 }
 
@@ -93,27 +104,66 @@ std::string slope_triangles(const ConvergencePlot& plot) {
   return text;
 }
 
-std::string axes(const ConvergencePlot& plot) {
-  std::vector<double> sizes;
+/// The ends of an axis.
+struct Extent {
+  double low = std::numeric_limits<double>::infinity();
+  double high = 0.0;
+
+  void include(double value) {
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+};
+
+/// Powers of ten, with their double and fivefold on an axis of two decades or less.
+std::string decade_tics(const Extent& extent) {
+  const bool short_axis = extent.high < 100.0 * extent.low;
+  std::vector<std::string> tics;
+  for (int decade = static_cast<int>(std::floor(std::log10(extent.low))); std::pow(10.0, decade) < extent.high;
+       ++decade) {
+    for (const double factor : {1.0, 2.0, 5.0}) {
+      const double tic = factor * std::pow(10.0, decade);
+      if (extent.low <= tic && tic <= extent.high && (factor == 1.0 || short_axis))
+        tics.push_back(fmt::format("'{0:.0e}' {0:.6g}", tic));
+    }
+  }
+  return fmt::format("{}", fmt::join(tics, ", "));
+}
+
+std::string size_tics(const ConvergencePlot& plot) {
+  std::set<double> sizes;
   for (const ConvergenceStudy* study : plot.studies)
-    sizes.insert(sizes.end(), study->sizes.begin(), study->sizes.end());
-  std::sort(sizes.begin(), sizes.end());
-  sizes.erase(std::unique(sizes.begin(), sizes.end()), sizes.end());
+    sizes.insert(study->sizes.begin(), study->sizes.end());
   std::vector<std::string> tics;
   for (const double size : sizes)
-    tics.push_back(fmt::format("'{0:.4g}' {0:.6g}", size));
+    tics.push_back(fmt::format("'{0:.6g}' {0:.6g}", size));
+  return fmt::format("{}", fmt::join(tics, ", "));
+}
+
+std::string axes(const ConvergencePlot& plot) {
+  Extent sizes;
+  Extent errors;
+  for (const ConvergenceStudy* study : plot.studies) {
+    for (const LevelPoint& point : drawable(*study)) {
+      sizes.include(point.size);
+      errors.include(point.error);
+    }
+    sizes.include(study->sizes.front());
+    sizes.include(study->sizes.back());
+  }
+  errors = {.low = 0.4 * errors.low, .high = 1.8 * errors.high}; // room for a triangle below the points
   return fmt::format("set border 3 lw 1 lc rgb '#555555'\n"
                      "set tics nomirror out scale 0.6\n"
                      "set grid xtics ytics lt 1 lw 0.8 lc rgb '#E4E4E4'\n"
                      "set logscale xy\n"
-                     "set format y '%.0e'\n"
                      "set xlabel {} offset 0,0.2\n"
-                     "set ylabel 'Relative error, {} [-]' offset 0.2,0\n"
+                     "set ylabel 'Relative error of {} [-]' offset 1.2,0\n"
                      "set xtics ({})\n"
+                     "set ytics ({})\n"
                      "set xrange [{:.6g}:{:.6g}]\n"
-                     "set offsets graph 0, graph 0, graph 0.1, graph 0.1\n",
-                     gnuplot_text(size_title(plot.size)), exchange::name_of(plot.quantity), fmt::join(tics, ", "),
-                     0.8 * sizes.front(), 1.25 * sizes.back());
+                     "set yrange [{:.6g}:{:.6g}]\n",
+                     gnuplot_text(size_title(plot.size)), exchange::name_of(plot.quantity), size_tics(plot),
+                     decade_tics(errors), 0.8 * sizes.low, 1.25 * sizes.high, errors.low, errors.high);
 }
 
 } // namespace
@@ -136,7 +186,7 @@ std::vector<ConvergencePlot> convergence_plots(const Family& family, std::vector
 }
 
 std::string gnuplot_script(const ConvergencePlot& plot) {
-  std::string script = gnuplot_canvas(plot.studies.size()) + axes(plot) + slope_triangles(plot);
+  std::string script = gnuplot_canvas(plot.studies.size(), wide_left_margin) + axes(plot) + slope_triangles(plot);
   std::vector<std::string> curves;
   for (std::size_t i = 0; i < plot.studies.size(); ++i) {
     const ConvergenceStudy& study = *plot.studies[i];

@@ -16,7 +16,8 @@ std::string gnuplot_script(const Plot& plot);
 std::string gnuplot_text(const std::string& text);
 
 /// The part of a script that all figures share: the terminal, margins, a legend of so many rows below the plot.
-std::string gnuplot_canvas(std::size_t legend_rows);
+/// `left_margin`: room for the height axis [pixels of 540].
+std::string gnuplot_canvas(std::size_t legend_rows, int left_margin);
 
 /// Runs gnuplot on a script and returns what it drew. Throws FileError where gnuplot is missing or fails.
 std::string run_gnuplot(const std::string& script);

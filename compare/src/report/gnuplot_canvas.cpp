@@ -10,7 +10,6 @@ namespace {
 // Pixels of the drawing. Narrow, with large letters, so that it is still readable on a phone.
 constexpr int width = 540;
 constexpr int plot_height = 430;
-constexpr int left_margin = 62;
 constexpr int right_margin = 18;
 constexpr int top_margin = 12;
 constexpr int axis_space = 74; // ticks and title below the plot
@@ -28,7 +27,7 @@ std::string gnuplot_text(const std::string& text) {
   return result + "'";
 }
 
-std::string gnuplot_canvas(std::size_t legend_rows) {
+std::string gnuplot_canvas(std::size_t legend_rows, int left_margin) {
   const int below = axis_space + legend_row * static_cast<int>(legend_rows) + 8;
   const int height = top_margin + plot_height + below;
   const double legend_top = static_cast<double>(below - axis_space) / height;

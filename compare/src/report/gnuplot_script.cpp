@@ -10,6 +10,8 @@ namespace settle::compare::report {
 
 namespace {
 
+constexpr int left_margin = 62; // pixels
+
 std::string data_block(const PlotCurve& curve, std::size_t index) {
   std::string block = fmt::format("$curve{} << END_OF_DATA\n", index);
   for (const Segment& segment : curve.profile) {
@@ -71,7 +73,8 @@ std::string stage_labels(const Plot& plot) {
 } // namespace
 
 std::string gnuplot_script(const Plot& plot) {
-  std::string script = gnuplot_canvas(plot.curves.size()) + axes(plot) + layer_lines(plot) + stage_labels(plot);
+  std::string script =
+      gnuplot_canvas(plot.curves.size(), left_margin) + axes(plot) + layer_lines(plot) + stage_labels(plot);
   for (std::size_t i = 0; i < plot.curves.size(); ++i)
     script += data_block(plot.curves[i], i);
   return script + plot_command(plot);
