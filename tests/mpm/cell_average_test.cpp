@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "blocks.hpp"
+#include "settle/mpm/explicit_step.hpp"
+#include "settle/mpm/quasi_static_step.hpp"
 
 namespace settle::mpm::test {
 namespace {
@@ -56,6 +58,35 @@ TEST(CellAverage, ActsOverTheFullCellOrOverThePointsVolume) {
   EXPECT_EQ(integration_volume(body, 0.01), body.grid.cell_volume());
   body.integration = StressIntegration::points;
   EXPECT_EQ(integration_volume(body, 0.01), 0.01);
+}
+
+/// Do all points of every cell have one vertical stress?
+bool is_uniform_in_cells(const Points<2>& points) {
+  for (std::size_t p = 1; p < points.size(); ++p)
+    if (points.cell[p] == points.cell[p - 1] && points.stress[1][p] != points.stress[1][p - 1]) return false;
+  return true;
+}
+
+TEST(CellAverage, IsTakenAfterEveryQuasiStaticIncrementIfTheBodyAsksForIt) {
+  for (const bool asked : {true, false}) {
+    auto body = stressed_block();
+    body.average_stress = asked;
+    ASSERT_TRUE(QuasiStaticStep<TriangleGrid>(1e-9).advance(body, {}).converged);
+    EXPECT_EQ(is_uniform_in_cells(body.points), asked);
+  }
+}
+
+TEST(CellAverage, IsTakenAfterEveryExplicitStepIfTheBodyAsksForIt) {
+  for (const bool asked : {true, false}) {
+    auto body = stressed_block();
+    body.average_stress = asked;
+    Nodes<2> nodes(static_cast<std::size_t>(body.grid.n_nodes()));
+    scatter_points(body, {}, nodes);
+    update_nodes(body, 0.75, nodes);
+    update_velocity_and_remap(body, 1e-3, nodes);
+    update_stress_and_move(body, {}, 1e-3, nodes);
+    EXPECT_EQ(is_uniform_in_cells(body.points), asked);
+  }
 }
 
 TEST(Supports, AreRollersOnBothSidesAndTheBase) {
