@@ -101,23 +101,29 @@ void write_used(const ForeignFile& file) {
   file.text("/used", "convention", "level-up");
 }
 
+const std::vector<double> stresses{-1, -2, -3, -4, -5, -6, -7, -8, -9, -10, -11, -12};
+
 void write_stage(const ForeignFile& file) {
   file.group("/stages");
   file.group("/stages/0001");
   file.group("/stages/0001/points");
   for (const char* name : {"layer", "steps", "in_equilibrium"})
     file.number("/stages/0001", name, H5T_NATIVE_INT, 1);
+  double value = 3.5; // no two datasets or attributes are equal, or nobody would see them in each other's place
   for (const char* name : {"out_of_balance", "mass", "mass_placed", "mass_refilled", "weight", "base_reaction",
                            "surface_height", "wall_time"})
-    file.number("/stages/0001", name, H5T_NATIVE_DOUBLE, 3.5);
+    file.number("/stages/0001", name, H5T_NATIVE_DOUBLE, value++);
   const std::string points = "/stages/0001/points/";
   for (const char* name : {"id", "layer", "refilled"})
     file.array(points + name, {2}, H5T_NATIVE_LONG, std::vector<long>{1, 0});
-  for (const char* name : {"placed_position", "position", "displacement"})
-    file.array(points + name, {2, 2}, H5T_NATIVE_FLOAT, std::vector<float>{1.0F, 2.0F, 3.0F, 4.0F});
-  file.array(points + "stress", {2, 6}, H5T_NATIVE_DOUBLE, std::vector<double>(12, -1.5));
-  for (const char* name : {"density", "volume"})
-    file.array(points + name, {2}, H5T_NATIVE_INT, std::vector<int>{1720, 1721});
+  float number = 1.0F;
+  for (const char* name : {"placed_position", "position", "displacement"}) {
+    file.array(points + name, {2, 2}, H5T_NATIVE_FLOAT, std::vector<float>{number, 2.0F, 3.0F, 4.0F});
+    number += 10.0F;
+  }
+  file.array(points + "stress", {2, 6}, H5T_NATIVE_DOUBLE, stresses);
+  file.array(points + "density", {2}, H5T_NATIVE_INT, std::vector<int>{1720, 1721});
+  file.array(points + "volume", {2}, H5T_NATIVE_INT, std::vector<int>{5, 6});
 }
 
 } // namespace
@@ -144,7 +150,14 @@ TEST(ForeignResult, IsReadWhateverTypesItsWriterChose) {
   EXPECT_EQ(stage.linear_solves, 0);
   EXPECT_EQ(stage.points.id, (std::vector<std::uint64_t>{1, 0}));
   EXPECT_EQ(stage.points.refilled, (std::vector<std::uint8_t>{1, 0}));
-  EXPECT_EQ(stage.points.position, (std::vector<double>{1, 2, 3, 4}));
+  EXPECT_EQ((std::vector{stage.out_of_balance, stage.mass, stage.mass_placed, stage.mass_refilled, stage.weight,
+                         stage.base_reaction, stage.surface_height, stage.wall_time}),
+            (std::vector{3.5, 4.5, 5.5, 6.5, 7.5, 8.5, 9.5, 10.5}));
+  EXPECT_EQ(stage.points.placed_position, (std::vector<double>{1, 2, 3, 4}));
+  EXPECT_EQ(stage.points.position, (std::vector<double>{11, 2, 3, 4}));
+  EXPECT_EQ(stage.points.displacement, (std::vector<double>{21, 2, 3, 4}));
+  EXPECT_EQ(stage.points.stress, stresses);
   EXPECT_EQ(stage.points.density, (std::vector<double>{1720, 1721}));
+  EXPECT_EQ(stage.points.volume, (std::vector<double>{5, 6}));
   EXPECT_TRUE(stage.probes.empty());
 }
