@@ -1,5 +1,6 @@
 #include "constitutive_update.hpp"
 
+#include <type_traits>
 #include <utility>
 
 #include "settle/mpm/hyperelasticity.hpp"
@@ -8,11 +9,11 @@ namespace settle::mpm {
 
 namespace {
 
-/// Calls `action` with the body's hyperelastic law; the law `rate` is none and does not come here.
-template <int dim, class Grid, class Action>
+/// Calls `action` with the type of the body's hyperelastic law; the law `rate` is none and does not come here.
+template <class Grid, class Action>
 auto with_hyperelastic_law(const Body<Grid>& body, Action&& action) {
-  if (body.law == exchange::Law::hencky) return action(Hencky<dim>{body.lame});
-  return action(NeoHookean<dim>{body.lame});
+  if (body.law == exchange::Law::hencky) return action(std::type_identity<Hencky<Grid::dim>>());
+  return action(std::type_identity<NeoHookean<Grid::dim>>());
 }
 
 Stress<2> stress_of(const Points<2>& points, std::size_t p) {
@@ -53,13 +54,13 @@ CellResponse<Grid> rate_response(const Body<Grid>& body, int cell, const Tensor<
   constexpr int dim = Grid::dim;
   const Tensor<dim> rotation = body.jaumann ? kinematics.rotation() : Tensor<dim>::Identity();
   CellResponse<Grid> response;
-  const Hencky<dim> increment{body.lame};
   const Tensor<dim> b = kinematics.deformation * kinematics.deformation.transpose();
-  response.stress = rotation * start * rotation.transpose() + increment.kirchhoff(b).tensor;
+  const Hencky<dim> increment(body.lame, b);
+  response.stress = rotation * start * rotation.transpose() + increment.kirchhoff().tensor;
   for (int dof = 0; dof < dim * Grid::nodes_per_cell; ++dof) {
     const Vector<dim> g = body.grid.gradients(cell).col(dof / dim);
     const Vector<dim> current = kinematics.inverse.transpose() * g;
-    Tensor<dim> variation = increment.kirchhoff_variation(b, variation_of_b<dim>(b, current, dof % dim)).tensor;
+    Tensor<dim> variation = increment.variation(variation_of_b<dim>(b, current, dof % dim)).tensor;
     if (body.jaumann) {
       const Tensor<dim> d_rotation = 0.5 * kinematics.half_rotation() * kinematics.spin_variation(g, dof % dim) *
                                      (Tensor<dim>::Identity() + rotation);
@@ -72,8 +73,8 @@ CellResponse<Grid> rate_response(const Body<Grid>& body, int cell, const Tensor<
 }
 
 /// sigma = tau(b) / J point by point; d_sigma = d_tau / J - div(d_u) sigma.
-template <class Grid, class Law>
-CellResponse<Grid> hyperelastic_response(const Body<Grid>& body, int cell, const Law& law, double points_volume,
+template <class Law, class Grid>
+CellResponse<Grid> hyperelastic_response(const Body<Grid>& body, int cell, double points_volume,
                                          const IncrementalKinematics<Grid::dim>& kinematics) {
   constexpr int dim = Grid::dim;
   const typename Grid::Gradients gradients = kinematics.inverse.transpose() * body.grid.gradients(cell);
@@ -87,11 +88,12 @@ CellResponse<Grid> hyperelastic_response(const Body<Grid>& body, int cell, const
     const Tensor<dim> deformation = increment * body.points.deformation_of(p);
     const Tensor<dim> b = deformation * deformation.transpose();
     const double jacobian = deformation.determinant();
-    const Tensor<dim> sigma = law.kirchhoff(b).tensor / jacobian;
+    const Law law(body.lame, b);
+    const Tensor<dim> sigma = law.kirchhoff().tensor / jacobian;
     response.stress += weight * sigma;
     for (int dof = 0; dof < dim * Grid::nodes_per_cell; ++dof) {
       const Vector<dim> g = gradients.col(dof / dim);
-      const Tensor<dim> d_tau = law.kirchhoff_variation(b, variation_of_b<dim>(b, g, dof % dim)).tensor;
+      const Tensor<dim> d_tau = law.variation(variation_of_b<dim>(b, g, dof % dim)).tensor;
       response.variations[static_cast<std::size_t>(dof)] += weight * (d_tau / jacobian - g[dof % dim] * sigma);
     }
   }
@@ -105,7 +107,7 @@ void deform_rate_points(Body<Grid>& body, int cell, const IncrementalKinematics<
   const auto increment =
       measure == StrainMeasure::midpoint
           ? stress_increment<dim>(body.lame, kinematics.strain)
-          : Hencky<dim>{body.lame}.kirchhoff(kinematics.deformation * kinematics.deformation.transpose());
+          : Hencky<dim>(body.lame, kinematics.deformation * kinematics.deformation.transpose()).kirchhoff();
   const auto [first, last] = points_in(body, cell);
   for (std::size_t p = first; p < last; ++p) {
     auto stress = stress_of(body.points, p);
@@ -119,16 +121,15 @@ void deform_rate_points(Body<Grid>& body, int cell, const IncrementalKinematics<
   }
 }
 
-template <class Grid, class Law>
-void deform_hyperelastic_points(Body<Grid>& body, int cell, const Law& law,
-                                const IncrementalKinematics<Grid::dim>& kinematics) {
+template <class Law, class Grid>
+void deform_hyperelastic_points(Body<Grid>& body, int cell, const IncrementalKinematics<Grid::dim>& kinematics) {
   constexpr int dim = Grid::dim;
   const Tensor<dim> increment = kinematics.deformation;
   const auto [first, last] = points_in(body, cell);
   for (std::size_t p = first; p < last; ++p) {
     const Tensor<dim> deformation = increment * body.points.deformation_of(p);
     body.points.set_deformation(p, deformation);
-    Stress<dim> stress = law.kirchhoff(deformation * deformation.transpose());
+    Stress<dim> stress = Law(body.lame, deformation * deformation.transpose()).kirchhoff();
     stress.tensor /= deformation.determinant();
     stress.out_of_plane /= deformation.determinant();
     set_stress(body.points, p, stress);
@@ -141,8 +142,9 @@ template <class Grid>
 CellResponse<Grid> respond(const Body<Grid>& body, int cell, const CellStress<Grid::dim>& start,
                            const IncrementalKinematics<Grid::dim>& kinematics) {
   if (body.law == exchange::Law::rate) return rate_response(body, cell, start.average.tensor, kinematics);
-  return with_hyperelastic_law<Grid::dim>(
-      body, [&](const auto& law) { return hyperelastic_response(body, cell, law, start.points_volume, kinematics); });
+  return with_hyperelastic_law(body, [&]<class Law>(std::type_identity<Law>) {
+    return hyperelastic_response<Law>(body, cell, start.points_volume, kinematics);
+  });
 }
 
 template <class Grid>
@@ -152,8 +154,8 @@ void deform_points(Body<Grid>& body, int cell, const IncrementalKinematics<Grid:
   for (std::size_t p = first; p < last; ++p)
     body.points.volume[p] *= kinematics.volume_ratio;
   if (body.law == exchange::Law::rate) return deform_rate_points(body, cell, kinematics, measure);
-  with_hyperelastic_law<Grid::dim>(body,
-                                   [&](const auto& law) { deform_hyperelastic_points(body, cell, law, kinematics); });
+  with_hyperelastic_law(
+      body, [&]<class Law>(std::type_identity<Law>) { deform_hyperelastic_points<Law>(body, cell, kinematics); });
 }
 
 template CellResponse<TriangleGrid> respond(const Body<TriangleGrid>&, int, const CellStress<2>&,

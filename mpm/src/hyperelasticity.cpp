@@ -16,52 +16,49 @@ double logarithm_difference(double a, double b) {
   return (std::abs(x) < series_below ? 1.0 - x * (0.5 - x * (1.0 / 3.0 - 0.25 * x)) : std::log1p(x) / x) / b;
 }
 
-template <int dim>
-struct PrincipalAxes {
-  explicit PrincipalAxes(const Tensor<dim>& b) {
-    Eigen::SelfAdjointEigenSolver<Tensor<dim>> solver;
-    solver.compute(b);
-    values = solver.eigenvalues();
-    axes = solver.eigenvectors();
-  }
-  Vector<dim> values;
-  Tensor<dim> axes; ///< one a column
-};
-
 } // namespace
 
 template <int dim>
-Stress<dim> Hencky<dim>::kirchhoff(const Tensor<dim>& b) const {
-  const PrincipalAxes<dim> principal(b);
-  const Vector<dim> strain = 0.5 * principal.values.array().log().matrix();
-  return stress_increment<dim>(lame, principal.axes * strain.asDiagonal() * principal.axes.transpose());
+Hencky<dim>::Hencky(const Lame& lame, const Tensor<dim>& b) : lame_(lame) {
+  Eigen::SelfAdjointEigenSolver<Tensor<dim>> solver;
+  solver.compute(b);
+  principal_ = solver.eigenvalues();
+  axes_ = solver.eigenvectors();
 }
 
 template <int dim>
-Stress<dim> Hencky<dim>::kirchhoff_variation(const Tensor<dim>& b, const Tensor<dim>& db) const {
-  const PrincipalAxes<dim> principal(b);
-  Tensor<dim> strain = 0.5 * principal.axes.transpose() * db * principal.axes;
+Stress<dim> Hencky<dim>::kirchhoff() const {
+  const Vector<dim> strain = 0.5 * principal_.array().log().matrix();
+  return stress_increment<dim>(lame_, axes_ * strain.asDiagonal() * axes_.transpose());
+}
+
+template <int dim>
+Stress<dim> Hencky<dim>::variation(const Tensor<dim>& db) const {
+  Tensor<dim> strain = 0.5 * axes_.transpose() * db * axes_;
   for (int i = 0; i < dim; ++i)
     for (int j = 0; j < dim; ++j)
-      strain(i, j) *= logarithm_difference(principal.values[i], principal.values[j]);
-  return stress_increment<dim>(lame, principal.axes * strain * principal.axes.transpose());
+      strain(i, j) *= logarithm_difference(principal_[i], principal_[j]);
+  return stress_increment<dim>(lame_, axes_ * strain * axes_.transpose());
 }
 
 template <int dim>
-Stress<dim> NeoHookean<dim>::kirchhoff(const Tensor<dim>& b) const {
-  const double volumetric = 0.5 * lame.lambda * std::log(b.determinant());
-  return {volumetric * Tensor<dim>::Identity() + lame.mu * (b - Tensor<dim>::Identity()), volumetric};
+NeoHookean<dim>::NeoHookean(const Lame& lame, const Tensor<dim>& b) : lame_(lame), b_(b), inverse_(b.inverse()) {}
+
+template <int dim>
+Stress<dim> NeoHookean<dim>::kirchhoff() const {
+  const double volumetric = 0.5 * lame_.lambda * std::log(b_.determinant());
+  return {volumetric * Tensor<dim>::Identity() + lame_.mu * (b_ - Tensor<dim>::Identity()), volumetric};
 }
 
 template <int dim>
-Stress<dim> NeoHookean<dim>::kirchhoff_variation(const Tensor<dim>& b, const Tensor<dim>& db) const {
-  const double volumetric = 0.5 * lame.lambda * (b.inverse() * db).trace();
-  return {volumetric * Tensor<dim>::Identity() + lame.mu * db, volumetric};
+Stress<dim> NeoHookean<dim>::variation(const Tensor<dim>& db) const {
+  const double volumetric = 0.5 * lame_.lambda * (inverse_ * db).trace();
+  return {volumetric * Tensor<dim>::Identity() + lame_.mu * db, volumetric};
 }
 
-template struct Hencky<2>;
-template struct Hencky<3>;
-template struct NeoHookean<2>;
-template struct NeoHookean<3>;
+template class Hencky<2>;
+template class Hencky<3>;
+template class NeoHookean<2>;
+template class NeoHookean<3>;
 
 } // namespace settle::mpm
