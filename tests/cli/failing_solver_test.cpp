@@ -55,6 +55,13 @@ TEST_F(FailingSolver, GarbageForAResultIsExitCodeFour) {
   EXPECT_THAT(answer.text, HasSubstr("unreadable result"));
 }
 
+TEST_F(FailingSolver, AnUnknownExitCodeIsACrashEvenWithAResultLeftBehind) {
+  play("mpm", "cp " + prepared("mpm").string() + " \"$out\"; exit 77");
+  const Answer answer = run_case();
+  EXPECT_EQ(answer.code, 3);
+  EXPECT_THAT(answer.text, HasSubstr("crashed"));
+}
+
 TEST_F(FailingSolver, ATruncatedResultIsExitCodeFour) {
   play("mpm", "head -c 3000 " + prepared("mpm").string() + " > \"$out\"");
   EXPECT_EQ(run_case().code, 4);

@@ -168,6 +168,17 @@ TEST(Judge, AuditsCatchLostMassAndAWrongReactionAndNameTheStage) {
   EXPECT_EQ(find(verdicts, "mpm: base reaction").status, Status::passed);
 }
 
+TEST(Judge, WhatWasRefilledIsPartOfTheBalanceOfMass) {
+  RunOutcome run = run_with({});
+  auto& stage = result_in(run, "mpm").stages[1];
+  const double share = 0.2 * stage.mass_placed;
+  stage.mass_placed -= share;
+  stage.mass_refilled += share;
+  EXPECT_EQ(find(judge_balance(run), "mpm: mass before").status, Status::passed);
+  stage.mass_refilled *= 1.0 + 1e-9;
+  EXPECT_EQ(find(judge_balance(run), "mpm: mass before").status, Status::failed);
+}
+
 TEST(Judge, PointsThatDoNotSumToTheMassFail) {
   RunOutcome run = run_with({});
   result_in(run, "mpm").stages[2].points.volume[0] *= 1.01;

@@ -64,6 +64,17 @@ TEST(Legs, RefilledPointsAreLeftOut) {
   EXPECT_LT(relative_norm(leg, Norm::linf).value, 1e-13);
 }
 
+TEST(Legs, NativePointsCountWithTheirCurrentVolume) {
+  RunOutcome run = refill_run();
+  auto& points = result_in(run, "mpm").stages.back().points;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    points.volume[i] *= 1.0 + 0.1 * static_cast<double>(i % 3);
+  const LegSamples leg = leg_samples(run, request("mpm", "exact", Quantity::settlement, Over::points));
+  ASSERT_EQ(leg.size(), points.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+    EXPECT_DOUBLE_EQ(leg.weight[i] / leg.weight[0], points.volume[i] / points.volume[0]) << "point " << i;
+}
+
 TEST(Legs, ProbesOfTwoSolversAreMatchedLayerByLayer) {
   RunOutcome run = refill_run();
   EXPECT_EQ(leg_samples(run, request("mpm", "fem", Quantity::settlement, Over::automatic)).size(), 45U);
