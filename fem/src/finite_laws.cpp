@@ -30,9 +30,10 @@ Symmetric spun(const dealii::Tensor<2, 3>& w, const Symmetric& x) {
   return 2.0 * symmetrize(w * dealii::Tensor<2, 3>(x));
 }
 
-PointResponse rate(const Elasticity& constants, const PointMotion& motion, double volume_ratio) {
+std::optional<PointResponse> rate(const Elasticity& constants, const PointMotion& motion, double volume_ratio) {
   const dealii::Tensor<2, 3> start = dealii::Tensor<2, 3>(dealii::unit_symmetric_tensor<3>()) + motion.before;
   const LeftStretch stretch(motion.increment * invert(start));
+  if (!stretch.regular()) return {};
   const dealii::Tensor<2, 3> rotation = stretch.rotation();
   const Symmetric rotated = symmetrize(rotation * dealii::Tensor<2, 3>(motion.stress) * transpose(rotation));
   const Symmetric cauchy = rotated + hooke(constants, stretch.logarithm());
@@ -40,13 +41,15 @@ PointResponse rate(const Elasticity& constants, const PointMotion& motion, doubl
     return volume_ratio *
            (trace(d) * cauchy + spun(stretch.rotation_rate(d), rotated) + hooke(constants, stretch.logarithm_rate(d)));
   });
-  return {volume_ratio, volume_ratio * cauchy, moduli};
+  return PointResponse{volume_ratio, volume_ratio * cauchy, moduli};
 }
 
-PointResponse hencky(const Elasticity& constants, const dealii::Tensor<2, 3>& gradient, double volume_ratio) {
+std::optional<PointResponse> hencky(const Elasticity& constants, const dealii::Tensor<2, 3>& gradient,
+                                    double volume_ratio) {
   const LeftStretch stretch(gradient);
-  return {volume_ratio, hooke(constants, stretch.logarithm()),
-          moduli_of([&](const Symmetric& d) { return hooke(constants, stretch.logarithm_rate(d)); })};
+  if (!stretch.regular()) return {};
+  return PointResponse{volume_ratio, hooke(constants, stretch.logarithm()),
+                       moduli_of([&](const Symmetric& d) { return hooke(constants, stretch.logarithm_rate(d)); })};
 }
 
 PointResponse neo_hookean(const Elasticity& constants, const dealii::Tensor<2, 3>& gradient, double volume_ratio) {

@@ -27,7 +27,7 @@ struct PointResponse {
                                            ///< d symmetric, w skew. No major symmetry for `rate`.
 };
 
-/// Nothing where the motion turns the point inside out (J <= 0).
+/// Nothing where the motion turns the point inside out (J <= 0), or crushes it flat as far as numbers can tell.
 ///  - `rate`: sigma = r sigma_0 r^T + D : ln v with v r the polar decomposition of the increment's own motion. It
 ///    integrates the Jaumann rate to second order in the increment, rotates stress exactly with a rigid motion, and
 ///    adds up logarithmic strain without error where the principal axes stand still.

@@ -1,5 +1,6 @@
 #include "left_stretch.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace settle::fem {
@@ -35,6 +36,10 @@ LeftStretch::LeftStretch(const dealii::Tensor<2, 3>& gradient)
     for (unsigned c = 0; c < 3; ++c)
       basis_[c][i] = pairs[i].second[c];
   }
+}
+
+bool LeftStretch::regular() const {
+  return std::all_of(strains_.begin(), strains_.end(), [](double strain) { return 1.0 + strain > 0.0; });
 }
 
 double LeftStretch::stretch(unsigned i) const {

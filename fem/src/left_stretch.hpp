@@ -23,6 +23,9 @@ class LeftStretch {
 public:
   explicit LeftStretch(const dealii::Tensor<2, 3>& gradient);
 
+  /// Whether all stretches are positive: round-off leaves none of a point that is crushed flat. All below needs it.
+  [[nodiscard]] bool regular() const;
+
   /// Hencky's strain e = ln v = (1/2) ln b.
   [[nodiscard]] dealii::SymmetricTensor<2, 3> logarithm() const;
   /// Its rate (Ogden, Non-linear elastic deformations, 1984, ch. 2.3: divided differences of the logarithm).

@@ -37,6 +37,8 @@ TEST(FiniteStrain, InSpaceIsTheColumnInThePlane) {
       FiniteOptions options = coarse_column(law);
       options.column.element = element;
       options.column.element_size = options.column.width = 0.5;
+      options.column.layers = 2;
+      options.column.height = 2.0;
       const exchange::Case plane = finite_column(options);
       options.column.dimension = 3;
       EXPECT_LT(difference(plane, finite_column(options)), 1e-10) << exchange::name_of(law);
@@ -47,6 +49,7 @@ TEST(FiniteStrain, LateralStressIsTheSameAlongBothHorizontalAxesInSpace) {
   for (const Law law : all_laws) {
     FiniteOptions options = coarse_column(law);
     options.column.dimension = 3;
+    options.column.element_size = options.column.width = 0.5;
     const exchange::SamplePoints points = solve(finite_column(options)).back().points;
     for (std::size_t i = 0; i < points.size(); ++i) {
       EXPECT_NEAR(points.stress[i * 6], points.stress[i * 6 + 1], 1e-9 * 84e3);
