@@ -22,7 +22,7 @@ struct IncrementReport {
 /// Equilibrium at the end of the increment, on the grid as it deforms in the increment (updated Lagrangian): for every
 /// free node  sum_c V_c J sigma_c F^-T grad N = sum_p N m g,  with sigma_c the cell's average stress at the
 /// end of the increment, F the increment's deformation gradient, and V_c by `StressIntegration`. The tangent is its
-/// exact derivative (unsymmetric). Eigen's SparseLU; the symbolic analysis is kept while the same nodes are active.
+/// exact derivative (unsymmetric). Eigen's SparseLU; the symbolic analysis is kept while the same cells are occupied.
 template <class Grid>
 class QuasiStaticStep {
 public:
