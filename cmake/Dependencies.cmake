@@ -16,6 +16,9 @@ add_library(settle_tomlplusplus INTERFACE)
 target_include_directories(settle_tomlplusplus SYSTEM INTERFACE ${TOMLPLUSPLUS_INCLUDE_DIR})
 add_library(settle::tomlplusplus ALIAS settle_tomlplusplus)
 
+pkg_check_modules(MUPARSER REQUIRED IMPORTED_TARGET muparser)
+add_library(settle::muparser ALIAS PkgConfig::MUPARSER)
+
 # The serial HDF5 for everything but the deal.II solver, which must use the MPI build that deal.II links.
 pkg_check_modules(HDF5_SERIAL REQUIRED IMPORTED_TARGET hdf5-serial)
 add_library(settle_hdf5 INTERFACE)

@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "motion_consistency.hpp"
+#include "polygon_consistency.hpp"
 #include "refinement_consistency.hpp"
 #include "settle/exchange/spelling.hpp"
 
@@ -90,7 +92,11 @@ void check_band(const Check& check, const std::string& key, const Case& study, R
 
 void check_consistency(const Case& study, Reading& reading) {
   check_material(study, reading);
-  check_probes(study, reading);
+  if (study.geometry.shape == Shape::polygons)
+    check_polygons(study, reading);
+  else
+    check_probes(study, reading);
+  if (study.motion) check_motion(study, reading);
   check_references(study, reading);
   for (std::size_t number = 0; number < study.checks.size(); ++number) {
     const std::string key = fmt::format("check.{}", number);

@@ -2,16 +2,41 @@
 
 #include "case_consistency.hpp"
 #include "case_keys.hpp"
+#include "polygon_consistency.hpp"
+#include "settle/exchange/formulas.hpp"
+#include "settle/exchange/plane_geometry.hpp"
 
 namespace settle::exchange {
 namespace {
 
+void fill_extent(Geometry& geometry) {
+  const PlaneBox box = bounding_box(geometry);
+  geometry.width = box.highest[0] - box.lowest[0];
+  geometry.height = box.highest[1] - box.lowest[1];
+}
+
+/// Material points in a cell where the case does not say.
+int usual_points(MpmElement element) {
+  switch (element) {
+  case MpmElement::triangle:
+    return 3;
+  case MpmElement::quadrilateral:
+  case MpmElement::tetrahedron:
+    return 4;
+  case MpmElement::hexahedron:
+    return 8;
+  }
+  return 0;
+}
+
 /// Defaults that depend on other keys.
 void fill_dependent_defaults(Case& study) {
   Geometry& geometry = study.geometry;
+  if (!study.mpm.points_per_element) study.mpm.points_per_element = usual_points(study.mpm.element);
+  if (!study.fem.increments) study.fem.increments = study.fem.kinematics == Kinematics::small ? 1 : 4;
+  if (geometry.shape == Shape::polygons) return fill_extent(geometry);
   const bool solid = geometry.dimension == 3;
   if (solid && !geometry.depth) geometry.depth = geometry.width;
-  if (!study.fem.increments) study.fem.increments = study.fem.kinematics == Kinematics::small ? 1 : 4;
   for (auto& [name, line] : study.probes) {
     if (!line.x) line.x = geometry.width / 2;
     if (solid && !line.y) line.y = *geometry.depth / 2;
@@ -25,9 +50,12 @@ Case interpreted(const document::Table& table, const std::string& name) {
   case_keys().read(table, {.path = {}, .where = name}, study, reading);
   reading.throw_if_any();
   study.origins = reading.origins();
+  check_shape(study, reading);
+  reading.throw_if_any();
   fill_dependent_defaults(study);
   check_consistency(study, reading);
   reading.throw_if_any();
+  if (study.motion) static_cast<void>(Formulas(study)); // throws where a formula cannot be understood
   return study;
 }
 

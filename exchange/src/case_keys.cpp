@@ -3,17 +3,83 @@
 namespace settle::exchange {
 namespace {
 
+constexpr std::size_t plane = 2;
+
+KeyTable<Polygon> polygon_keys() {
+  KeyTable<Polygon> keys("A part of a layer, with the shape \"polygons\" only. Parts that touch share whole edges.");
+  keys.integer("layer", &Polygon::layer, {.range = at_least(1), .doc = "the layer it belongs to"});
+  keys.real_lists("corners", &Polygon::corners,
+                  {.unit = "m",
+                   .count = {.least = 3},
+                   .required = true,
+                   .doc = "`[x, y]` of the corners of a convex polygon, anticlockwise"},
+                  {.least = plane, .most = plane});
+  return keys;
+}
+
 KeyTable<Geometry> geometry_keys() {
   KeyTable<Geometry> keys("The domain that is built up. Required.");
   keys.choice("shape", &Geometry::shape, {.required = true, .doc = "what is built"});
   keys.real("height", &Geometry::height,
-            {.unit = "m", .range = above(0), .required = true, .doc = "design height of all layers together"});
-  keys.real("width", &Geometry::width, {.unit = "m", .range = above(0), .required = true, .doc = "extent along x"});
+            {.unit = "m",
+             .range = above(0),
+             .left_out = "required for a column; the extent of polygons",
+             .doc = "design height of all layers together"});
+  keys.real("width", &Geometry::width,
+            {.unit = "m",
+             .range = above(0),
+             .left_out = "required for a column; the extent of polygons",
+             .doc = "extent along x"});
   keys.real("depth", &Geometry::depth,
             {.unit = "m", .range = above(0), .left_out = "the width", .doc = "extent along y, in 3-D only"});
   keys.integer(
       "dimension", &Geometry::dimension,
       {.range = from_to(2, 3), .required = true, .doc = "2: plane strain, gravity along -y; 3: gravity along -z"});
+  keys.table_array("polygon", &Geometry::polygons, polygon_keys());
+  return keys;
+}
+
+KeyTable<Support> support_keys() {
+  KeyTable<Support> keys("A straight part of the boundary of polygons that is held; a column has its oedometer.");
+  const Count point{.least = plane, .most = plane};
+  keys.reals("from", &Support::from,
+             {.unit = "m",
+              .count = point,
+              .required = true,
+              .doc = "`[x, y]` of one end; the body lies to the left of the way to the other"});
+  keys.reals("to", &Support::to, {.unit = "m", .count = point, .required = true, .doc = "`[x, y]` of the other end"});
+  keys.choice("held", &Support::held, {.doc = "directions in which it holds"});
+  keys.choice("motion", &Support::motion, {.doc = "nothing moves, or everything held follows the case's `[motion]`"});
+  return keys;
+}
+
+KeyTable<Motion> motion_keys() {
+  KeyTable<Motion> keys("A motion known in closed form, by formulas; what loads it, and what is exact.");
+  const Count vector{.least = plane, .most = plane};
+  const Count tensor{.least = 4, .most = 4};
+  keys.texts("let", &Motion::let,
+             {.doc = "`\"name = formula\"`, abbreviations for all formulas; each may use those before it"});
+  keys.texts("displacement", &Motion::displacement,
+             {.unit = "m", .count = vector, .required = true, .doc = "exact, since placement: x, y"});
+  keys.texts("stress", &Motion::stress,
+             {.unit = "Pa", .count = tensor, .left_out = "not known", .doc = "exact Cauchy stress: xx, yy, zz, xy"});
+  keys.texts("velocity", &Motion::velocity,
+             {.unit = "m/s",
+              .count = vector,
+              .left_out = "at rest",
+              .doc = "exact: x, y; what an explicit scheme starts with"});
+  keys.texts("acceleration", &Motion::acceleration,
+             {.unit = "m/s2",
+              .count = vector,
+              .left_out = "none",
+              .doc = "exact: x, y; a solver without inertia takes it off the body force"});
+  keys.texts("body_force", &Motion::body_force,
+             {.unit = "m/s2", .count = vector, .left_out = "none", .doc = "per mass, besides gravity: x, y"});
+  keys.real("duration", &Motion::duration,
+            {.unit = "s",
+             .range = above(0),
+             .left_out = "gravity is raised, layer by layer",
+             .doc = "from t = 0, in one stage without a ramp of gravity"});
   return keys;
 }
 
@@ -83,7 +149,9 @@ KeyTable<Mpm> mpm_keys() {
       "element_size", &Mpm::element_size,
       {.unit = "m", .range = above(0), .doc = "edge of a grid cell; the layer thickness must be a multiple of it"});
   keys.integer("points_per_element", &Mpm::points_per_element,
-               {.range = at_least(1), .doc = "material points placed in each cell"});
+               {.range = at_least(1),
+                .left_out = "3 (triangle), 4 (quadrilateral, tetrahedron), 8 (hexahedron)",
+                .doc = "material points placed in each cell"});
   keys.choice("basis", &Mpm::basis, {.doc = "shape functions of the grid"});
   keys.choice("integration", &Mpm::integration,
               {.doc = "internal force from the cell's averaged stress over its full area, or from the points"});
@@ -112,11 +180,21 @@ KeyTable<Fem> fem_keys() {
 }
 
 KeyTable<Probes> probes_keys() {
-  KeyTable<Probes> keys("A vertical line of material points that every solver samples; NAME is yours.");
+  KeyTable<Probes> keys("A line of material points that every solver samples, vertical in a column; NAME is yours.");
+  const Count point{.least = plane, .most = plane};
   keys.real("x", &Probes::x, {.unit = "m", .left_out = "the middle", .doc = "position of the line"});
   keys.real("y", &Probes::y, {.unit = "m", .left_out = "the middle", .doc = "position of the line, in 3-D only"});
   keys.integer("points_per_layer", &Probes::points_per_layer,
-               {.range = at_least(2), .doc = "points in each layer, both of its ends included"});
+               {.range = at_least(2), .doc = "points in each layer of a column, both of its ends included"});
+  keys.reals("from", &Probes::from,
+             {.unit = "m", .count = point, .left_out = "required for polygons", .doc = "`[x, y]` of one end"});
+  keys.reals("to", &Probes::to,
+             {.unit = "m", .count = point, .left_out = "required for polygons", .doc = "`[x, y]` of the other end"});
+  keys.integer("points", &Probes::points,
+               {.range = at_least(2),
+                .left_out = "9",
+                .doc = "points across polygons, both ends included; one that lies on an "
+                       "interface is taken in each of its layers"});
   return keys;
 }
 
@@ -217,7 +295,10 @@ KeyTable<Case> case_keys() {
   keys.text("title", &Case::title, {.doc = "what reports call the case"});
   keys.text("source", &Case::source, {.doc = "where the case comes from"});
   keys.real("gravity", &Case::gravity,
-            {.unit = "m/s2", .range = above(0), .required = true, .doc = "acceleration of gravity, a positive number"});
+            {.unit = "m/s2",
+             .range = at_least(0),
+             .required = true,
+             .doc = "acceleration of gravity, a positive number; 0 with polygons only"});
   keys.table("geometry", &Case::geometry, geometry_keys(), {.required = true});
   keys.named_tables("material", &Case::materials, material_keys(), {.required = true});
   keys.table("construction", &Case::construction, construction_keys(), {.required = true});
@@ -227,6 +308,8 @@ KeyTable<Case> case_keys() {
   keys.named_tables("reference", &Case::references, reference_keys());
   keys.table_array("check", &Case::checks, check_keys_table());
   keys.table("converge", &Case::converge, refinement_keys());
+  keys.table_array("support", &Case::supports, support_keys());
+  keys.table("motion", &Case::motion, motion_keys());
   return keys;
 }
 

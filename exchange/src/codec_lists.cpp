@@ -90,6 +90,7 @@ std::string ListCodec<M>::allowed() const {
 template class ListCodec<int>;
 template class ListCodec<double>;
 template class ListCodec<std::string>;
+template class ListCodec<std::vector<double>>;
 
 void TomlValuesCodec::read(const Given& given, Member& member, Reading& reading) const {
   for (const Given& leaf : leaves_of(given, allowed(), reading))

@@ -58,7 +58,7 @@ Table property_schema(const KeyFacts& key) {
   const bool has_text = document::find(schema, "description") != nullptr;
   if (!has_text && !key.info.doc.empty())
     schema.push_back(text_entry("description", key.info.doc + unit + (left_out.empty() ? "" : ".") + left_out));
-  if (key.default_value) schema.push_back({"default", {}, *key.default_value});
+  if (key.default_value && key.info.left_out.empty()) schema.push_back({"default", {}, *key.default_value});
   return schema;
 }
 

@@ -1,8 +1,13 @@
 #include "settle/exchange/probe_points.hpp"
 
-namespace settle::exchange {
+#include <algorithm>
 
-std::vector<ProbePoint> probe_points(const Case& study, const Probes& line) {
+#include "settle/exchange/plane_geometry.hpp"
+
+namespace settle::exchange {
+namespace {
+
+std::vector<ProbePoint> points_in_column(const Case& study, const Probes& line) {
   const bool solid = study.geometry.dimension == 3;
   const double x = line.x.value_or(study.geometry.width / 2);
   const double y = solid ? line.y.value_or(study.geometry.depth.value_or(study.geometry.width) / 2) : 0.0;
@@ -15,6 +20,30 @@ std::vector<ProbePoint> probe_points(const Case& study, const Probes& line) {
     }
   }
   return points;
+}
+
+std::vector<ProbePoint> points_across_polygons(const Geometry& geometry, const Probes& line) {
+  const double slack = 1e-9 * (geometry.width + geometry.height); // ends of lines stand on boundaries up to round-off
+  constexpr int usual_count = 9;
+  const int count = line.points.value_or(usual_count);
+  std::vector<ProbePoint> points;
+  for (int i = 0; i < count; ++i) {
+    const double share = static_cast<double>(i) / (count - 1);
+    const PlanePoint at{line.from[0] + share * (line.to[0] - line.from[0]),
+                        line.from[1] + share * (line.to[1] - line.from[1])};
+    for (const int layer : layers_at(geometry, at, slack))
+      points.push_back({.layer = layer, .x = at[0], .design_height = at[1]});
+  }
+  std::stable_sort(points.begin(), points.end(),
+                   [](const ProbePoint& a, const ProbePoint& b) { return a.layer < b.layer; });
+  return points;
+}
+
+} // namespace
+
+std::vector<ProbePoint> probe_points(const Case& study, const Probes& line) {
+  if (study.geometry.shape == Shape::polygons) return points_across_polygons(study.geometry, line);
+  return points_in_column(study, line);
 }
 
 } // namespace settle::exchange

@@ -14,7 +14,7 @@
 
 namespace settle::exchange {
 
-enum class Shape { column };
+enum class Shape { column, polygons };
 enum class Law { rate, hencky, neo_hookean };
 enum class Convention { refill, level_up, floating, drop };
 enum class MpmElement { triangle, quadrilateral, tetrahedron, hexahedron };
@@ -24,7 +24,21 @@ enum class RefillRule { sub_element, element };
 enum class Scheme { quasi_static, explicit_dynamic };
 enum class FemElement { Q1, Q2 };
 enum class Kinematics { small, finite };
-enum class Quantity { settlement, vertical_stress, lateral_stress, density, base_reaction, mass };
+enum class Quantity {
+  settlement,
+  displacement, ///< all components
+  vertical_stress,
+  lateral_stress,
+  shear_stress,
+  stress, ///< xx yy zz xy, in 3-D all six
+  density,
+  base_reaction,
+  mass
+};
+/// Directions in which a support prevents or prescribes motion.
+enum class Held { x, y, both };
+/// What a support does in the directions it holds: nothing, or the case's known motion.
+enum class SupportMotion { none, exact };
 enum class Norm { l2, linf };
 enum class Over { automatic, points, probes };
 enum class CheckStages { last, all };
@@ -41,7 +55,7 @@ struct EnumNames;
 
 template <>
 struct EnumNames<Shape> {
-  static constexpr std::array names{std::string_view("column")};
+  static constexpr std::array<std::string_view, 2> names{"column", "polygons"};
 };
 template <>
 struct EnumNames<Law> {
@@ -81,8 +95,17 @@ struct EnumNames<Kinematics> {
 };
 template <>
 struct EnumNames<Quantity> {
-  static constexpr std::array<std::string_view, 6> names{"settlement", "vertical-stress", "lateral-stress",
-                                                         "density",    "base-reaction",   "mass"};
+  static constexpr std::array<std::string_view, 9> names{"settlement",     "displacement",  "vertical-stress",
+                                                         "lateral-stress", "shear-stress",  "stress",
+                                                         "density",        "base-reaction", "mass"};
+};
+template <>
+struct EnumNames<Held> {
+  static constexpr std::array<std::string_view, 3> names{"x", "y", "both"};
+};
+template <>
+struct EnumNames<SupportMotion> {
+  static constexpr std::array<std::string_view, 2> names{"none", "exact"};
 };
 template <>
 struct EnumNames<Norm> {
@@ -116,14 +139,39 @@ constexpr std::string_view name_of(Enum value) {
   return EnumNames<Enum>::names[static_cast<std::size_t>(value)];
 }
 
+/// A part of a layer: a convex polygon, its corners anticlockwise.
+struct Polygon {
+  int layer = 1;                              ///< 1 ... N
+  std::vector<std::vector<double>> corners{}; ///< (3 or more, 2) [m]
+};
+
 /// The domain that is built up.
 struct Geometry {
   Shape shape = Shape::column;
-  double height = 0.0; ///< design height H [m]
-  double width = 0.0;  ///< [m]
+  double height = 0.0; ///< design height H [m]; set by `read_case` to the extent of polygons
+  double width = 0.0;  ///< [m]; likewise
   std::optional<double>
       depth{};       ///< third dimension [m]; set by `read_case` to the width where a 3-D case leaves it out
   int dimension = 2; ///< 2 (plane strain) or 3
+  std::vector<Polygon> polygons{}; ///< `[[geometry.polygon]]`, with the shape `polygons` only
+};
+
+/// A straight part of the boundary of polygons that is held. A column has its oedometer without being told.
+struct Support {
+  std::vector<double> from{}, to{}; ///< (2) its ends [m]
+  Held held = Held::both;
+  SupportMotion motion = SupportMotion::none;
+};
+
+/// A motion known in closed form, by formulas of the position X, Y as placed and the time t (formulas.hpp).
+struct Motion {
+  std::vector<std::string> let{};          ///< "name = formula", each may use those before it
+  std::vector<std::string> displacement{}; ///< (2) since placement [m]
+  std::vector<std::string> stress{};       ///< (4) Cauchy, xx yy zz xy [Pa]; or none
+  std::vector<std::string> velocity{};     ///< (2) [m/s]; or none: at rest
+  std::vector<std::string> acceleration{}; ///< (2) [m/s2]; or none
+  std::vector<std::string> body_force{};   ///< (2) per mass, besides gravity [m/s2]; or none
+  std::optional<double> duration{};        ///< from t = 0 [s]; none: gravity is what loads
 };
 
 struct Material {
@@ -158,8 +206,8 @@ struct ExplicitDynamic {
 /// What the material point method is told.
 struct Mpm {
   MpmElement element = MpmElement::triangle;
-  double element_size = 0.125; ///< [m]
-  int points_per_element = 3;
+  double element_size = 0.125;             ///< [m]
+  std::optional<int> points_per_element{}; ///< set by `read_case`: 3, 4, 4, 8 by element where left out
   Basis basis = Basis::linear;
   Integration integration = Integration::mixed;
   RefillRule refill = RefillRule::sub_element;
@@ -178,11 +226,13 @@ struct Fem {
   std::optional<int> increments{}; ///< per stage; set by `read_case`: 1 (small), 4 (finite) where left out
 };
 
-/// A vertical line of material points that every solver samples.
+/// A line of material points that every solver samples: vertical in a column, any straight line across polygons.
 struct Probes {
-  std::optional<double> x{}; ///< [m]; set by `read_case` to the middle of the column where left out
-  std::optional<double> y{}; ///< [m]; 3-D only, likewise
-  int points_per_layer = 9;  ///< both ends of the layer included
+  std::optional<double> x{};        ///< [m]; set by `read_case` to the middle of the column where left out
+  std::optional<double> y{};        ///< [m]; 3-D only, likewise
+  int points_per_layer = 9;         ///< of a column, both ends of the layer included
+  std::vector<double> from{}, to{}; ///< (2) ends of the line across polygons [m]; empty in a column
+  std::optional<int> points{};      ///< of the line across polygons, both ends included; none: 9
 };
 
 /// A table of another code's results at material points, read from a CSV file (see docs/formats.md).
@@ -246,6 +296,8 @@ struct Case {
   std::map<std::string, Reference> references{}; ///< `[reference.NAME]`
   std::vector<Check> checks{};                   ///< `[[check]]`
   std::optional<Refinement> converge{};          ///< `[converge]`
+  std::vector<Support> supports{};               ///< `[[support]]`, of polygons
+  std::optional<Motion> motion{};                ///< `[motion]`, of polygons
 
   std::string file{};                           ///< as given by the user
   std::map<std::string, std::string> origins{}; ///< dotted key -> `file:line:column` or `--set ...`; only keys given

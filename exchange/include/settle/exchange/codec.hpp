@@ -162,6 +162,7 @@ private:
 extern template class ListCodec<int>;
 extern template class ListCodec<double>;
 extern template class ListCodec<std::string>;
+extern template class ListCodec<std::vector<double>>;
 
 /// Any dotted key with any TOML value, kept as TOML text. `a.b = 1` and `"a.b" = 1` are the same.
 class TomlValuesCodec : public Codec<std::map<std::string, std::string>> {

@@ -112,6 +112,12 @@ public:
     auto item = std::make_unique<RealCodec>(info);
     add(std::move(name), member, std::make_unique<ListCodec<double>>(std::move(item), info.count), info);
   }
+  /// A list of lists of numbers, each of `inner` numbers.
+  void real_lists(std::string name, std::vector<std::vector<double>> T::*member, KeyInfo info, Count inner) {
+    using Inner = ListCodec<double>;
+    auto item = std::make_unique<Inner>(std::make_unique<RealCodec>(info), inner);
+    add(std::move(name), member, std::make_unique<ListCodec<std::vector<double>>>(std::move(item), info.count), info);
+  }
   /// A table of free keys, each with any TOML value, kept as TOML text.
   void toml_values(std::string name, std::map<std::string, std::string> T::*member, KeyInfo info) {
     add(std::move(name), member, std::make_unique<TomlValuesCodec>(), info);

@@ -11,12 +11,13 @@ namespace settle::exchange {
 /// One probe point in the design geometry.
 struct ProbePoint {
   int layer = 1;              ///< 1 ... N
-  double relative_height = 0; ///< xi in [0, 1] within its layer as placed
+  double relative_height = 0; ///< xi in [0, 1] within its layer as placed; of a column only
   double x = 0, y = 0;        ///< horizontal position [m]; y only in 3-D
-  double design_height = 0;   ///< z_{k-1} + xi t [m]
+  double design_height = 0;   ///< z_{k-1} + xi t; across polygons: its height [m]
 };
 
-/// The points of one line, layer by layer from below, both ends of each layer included.
+/// The points of one line, layer by layer; in a column from below, both ends of each layer included; across polygons
+/// from one end of the line to the other, in every layer that holds the point.
 std::vector<ProbePoint> probe_points(const Case& study, const Probes& line);
 
 } // namespace settle::exchange

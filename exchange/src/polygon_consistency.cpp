@@ -1,0 +1,195 @@
+#include "polygon_consistency.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "settle/exchange/plane_geometry.hpp"
+#include "settle/exchange/probe_points.hpp"
+
+namespace settle::exchange {
+namespace {
+
+/// Something the shape of the case has no use for.
+void refuse_key(const Case& study, const std::string& key, const std::string& shape, Reading& reading) {
+  if (!study.origins.contains(key)) return;
+  reading.complain({.where = study.where(key),
+                    .what = fmt::format("{} is for the shape \"{}\" only", key, shape),
+                    .given = fmt::format("geometry.shape = \"{}\"", name_of(study.geometry.shape)),
+                    .allowed = {},
+                    .remedy = "leave it out"});
+}
+
+void check_length(const Case& study, const std::string& key, double length, Reading& reading) {
+  if (length > 0) return;
+  reading.complain({.where = study.where("geometry"),
+                    .what = key + " is missing",
+                    .given = {},
+                    .allowed = "a number above 0 [m]",
+                    .remedy = fmt::format("a column needs {}", key)});
+}
+
+void check_column(const Case& study, Reading& reading) {
+  check_length(study, "geometry.height", study.geometry.height, reading);
+  check_length(study, "geometry.width", study.geometry.width, reading);
+  refuse_key(study, "geometry.polygon", "polygons", reading);
+  refuse_key(study, "support", "polygons", reading);
+  refuse_key(study, "motion", "polygons", reading);
+  for (const auto& [name, line] : study.probes)
+    for (const char* key : {"from", "to", "points"})
+      refuse_key(study, fmt::format("probes.{}.{}", name, key), "polygons", reading);
+  if (study.gravity > 0) return;
+  reading.complain({.where = study.where("gravity"),
+                    .what = "a column without gravity does nothing",
+                    .given = fmt::format("{}", study.gravity),
+                    .allowed = "a number above 0 [m/s2]",
+                    .remedy = {}});
+}
+
+/// Corners that turn left all the way round, and enclose something.
+bool is_convex(const Polygon& polygon) {
+  const std::size_t n = polygon.corners.size();
+  const double whole = area(polygon);
+  if (!(whole > 0)) return false;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Polygon turn{.corners = {polygon.corners[i], polygon.corners[(i + 1) % n], polygon.corners[(i + 2) % n]}};
+    if (!(area(turn) > 1e-12 * whole)) return false;
+  }
+  return true;
+}
+
+void check_polygon(const Case& study, std::size_t number, Reading& reading) {
+  const Polygon& polygon = study.geometry.polygons[number];
+  const std::string key = fmt::format("geometry.polygon.{}", number);
+  if (!is_convex(polygon))
+    reading.complain({.where = study.where(key + ".corners"),
+                      .what = key + " is not a convex polygon with its corners anticlockwise",
+                      .given = fmt::format("{} corners around {:.6g} m2", polygon.corners.size(), area(polygon)),
+                      .allowed = "every turn to the left, no three corners on a line",
+                      .remedy = area(polygon) < 0 ? "turn the order of the corners round"
+                                                  : "divide it into convex parts of the same layer"});
+  if (polygon.layer <= study.construction.layers) return;
+  reading.complain({.where = study.where(key + ".layer"),
+                    .what = key + " belongs to a layer that is not built",
+                    .given = fmt::format("{}", polygon.layer),
+                    .allowed = fmt::format("from 1 to {} (construction.layers)", study.construction.layers),
+                    .remedy = {}});
+}
+
+void check_extent(const Case& study, const std::string& key, double given, double extent, Reading& reading) {
+  if (given == 0 || std::abs(given - extent) <= 1e-9 * extent) return;
+  reading.complain({.where = study.where(key),
+                    .what = key + " is not the extent of the polygons",
+                    .given = fmt::format("{}", given),
+                    .allowed = fmt::format("{} [m]", extent),
+                    .remedy = "leave it out"});
+}
+
+void check_layers_of_polygons(const Case& study, Reading& reading) {
+  for (int layer = 1; layer <= study.construction.layers; ++layer) {
+    if (layer_area(study.geometry, layer) > 0) continue;
+    reading.complain({.where = study.where("construction.layers"),
+                      .what = fmt::format("layer {} has no polygon", layer),
+                      .given = fmt::format("{} layers, {} polygons", study.construction.layers,
+                                           study.geometry.polygons.size()),
+                      .allowed = "at least one [[geometry.polygon]] for each layer",
+                      .remedy = {}});
+  }
+}
+
+void require(bool holds, const Complaint& complaint, Reading& reading) {
+  if (!holds) reading.complain(complaint);
+}
+
+void check_line(const Case& study, const std::string& name, const Probes& line, Reading& reading) {
+  const std::string key = "probes." + name;
+  for (const char* of_columns : {"x", "y"})
+    refuse_key(study, fmt::format("{}.{}", key, of_columns), "column", reading);
+  if (line.points_per_layer != Probes{}.points_per_layer) // a case written back holds the default
+    refuse_key(study, key + ".points_per_layer", "column", reading);
+  if (line.from.empty() || line.to.empty()) {
+    reading.complain({.where = study.where(key),
+                      .what = key + " needs both ends of its line across the polygons",
+                      .given = {},
+                      .allowed = "from = [x, y] and to = [x, y]",
+                      .remedy = {}});
+    return;
+  }
+  require(!probe_points(study, line).empty(),
+          {.where = study.where(key + ".from"),
+           .what = key + " does not meet any polygon",
+           .given = fmt::format("from ({}, {}) to ({}, {})", line.from[0], line.from[1], line.to[0], line.to[1]),
+           .allowed = "a line with at least one of its points in a polygon",
+           .remedy = {}},
+          reading);
+}
+
+void check_support(const Case& study, std::size_t number, Reading& reading) {
+  const Support& support = study.supports[number];
+  const std::string key = fmt::format("support.{}", number);
+  require(support.from != support.to,
+          {.where = study.where(key + ".to"),
+           .what = key + " has no length",
+           .given = fmt::format("({}, {}) twice", support.from[0], support.from[1]),
+           .allowed = "two different ends",
+           .remedy = {}},
+          reading);
+  require(support.motion == SupportMotion::none || study.motion.has_value(),
+          {.where = study.where(key + ".motion"),
+           .what = key + " follows a motion that the case does not state",
+           .given = "motion = \"exact\"",
+           .allowed = "\"none\", or a table [motion]",
+           .remedy = {}},
+          reading);
+}
+
+} // namespace
+
+void check_shape(const Case& study, Reading& reading) {
+  if (study.geometry.shape == Shape::column) return check_column(study, reading);
+  for (std::size_t number = 0; number < study.geometry.polygons.size(); ++number)
+    check_polygon(study, number, reading);
+  require(!study.geometry.polygons.empty(),
+          {.where = study.where("geometry"),
+           .what = "there are no polygons to build",
+           .given = "geometry.shape = \"polygons\"",
+           .allowed = "at least one [[geometry.polygon]] for each layer",
+           .remedy = {}},
+          reading);
+  if (study.geometry.polygons.empty()) return;
+  check_layers_of_polygons(study, reading);
+  const PlaneBox box = bounding_box(study.geometry);
+  check_extent(study, "geometry.width", study.geometry.width, box.highest[0] - box.lowest[0], reading);
+  check_extent(study, "geometry.height", study.geometry.height, box.highest[1] - box.lowest[1], reading);
+}
+
+void check_polygons(const Case& study, Reading& reading) {
+  require(study.geometry.dimension == 2,
+          {.where = study.where("geometry.dimension"),
+           .what = "polygons lie in a plane",
+           .given = "dimension = 3",
+           .allowed = "2",
+           .remedy = {}},
+          reading);
+  require(study.construction.convention == Convention::drop,
+          {.where = study.where("construction.convention"),
+           .what = "layers of polygons are placed where they are drawn",
+           .given = fmt::format("\"{}\"", name_of(study.construction.convention)),
+           .allowed = "\"drop\"",
+           .remedy = {}},
+          reading);
+  require(!study.supports.empty(),
+          {.where = study.where("geometry.shape"),
+           .what = "polygons without supports can go anywhere",
+           .given = "no [[support]]",
+           .allowed = "at least one",
+           .remedy = "hold the base: [[support]] from = [x, y], to = [x, y]"},
+          reading);
+  for (const auto& [name, line] : study.probes)
+    check_line(study, name, line, reading);
+  for (std::size_t number = 0; number < study.supports.size(); ++number)
+    check_support(study, number, reading);
+}
+
+} // namespace settle::exchange

@@ -1,0 +1,17 @@
+/// \file
+/// Does a case say everything its shape needs, and nothing that belongs to another shape?
+#pragma once
+
+#include "settle/exchange/case.hpp"
+#include "settle/exchange/reading.hpp"
+
+namespace settle::exchange {
+
+/// Complains about lengths a column lacks, polygons that are none, layers without polygons; to be called before the
+/// extent of polygons is taken.
+void check_shape(const Case& study, Reading& reading);
+
+/// Complains about probes, supports and conventions that do not go with polygons.
+void check_polygons(const Case& study, Reading& reading);
+
+} // namespace settle::exchange
