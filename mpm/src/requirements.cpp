@@ -49,7 +49,7 @@ void require_law_that_fits(const exchange::Case& study) {
 void require_solvable(const exchange::Case& study) {
   require(study, {"geometry.dimension", std::to_string(study.geometry.dimension), "2"});
   require(study, {"mpm.element", quoted(study.mpm.element), quoted(exchange::MpmElement::triangle)});
-  require(study, {"mpm.points_per_element", std::to_string(study.mpm.points_per_element), "3"});
+  require(study, {"mpm.points_per_element", std::to_string(*study.mpm.points_per_element), "3"});
   require(study, {"mpm.basis", quoted(study.mpm.basis), quoted(exchange::Basis::linear)});
   require_law_that_fits(study);
   exchange::count_elements(study, "mpm.element_size", study.mpm.element_size);

@@ -1,0 +1,78 @@
+#include "settle/mpm/polygon_fill.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+using namespace settle;
+using namespace settle::mpm;
+
+namespace {
+
+const exchange::Polygon triangle{.corners = {{0.13, 0.07}, {4.31, 0.92}, {1.7, 3.05}}};
+
+/// Area and first moment of a triangle in closed form.
+Piece whole(const exchange::Polygon& t) {
+  const Vector<2> a(t.corners[0][0], t.corners[0][1]), b(t.corners[1][0], t.corners[1][1]),
+      c(t.corners[2][0], t.corners[2][1]);
+  const Vector<2> u = b - a, v = c - a;
+  return {(a + b + c) / 3.0, 0.5 * (u[0] * v[1] - u[1] * v[0])};
+}
+
+Piece sum(const std::vector<Piece>& pieces) {
+  Piece total{Vector<2>::Zero(), 0.0};
+  for (const Piece& piece : pieces) {
+    total.area += piece.area;
+    total.centroid += piece.area * piece.centroid;
+  }
+  total.centroid /= total.area;
+  return total;
+}
+
+} // namespace
+
+TEST(PolygonFill, KeepsAreaAndFirstMomentOnAnyLattice) {
+  for (const double size : {2.0, 0.5, 0.11, 0.03}) {
+    const Piece filled = sum(cut_polygon(triangle, {{-0.2, 0.017}, size}));
+    EXPECT_NEAR(filled.area, whole(triangle).area, 1e-12 * filled.area) << size;
+    EXPECT_NEAR((filled.centroid - whole(triangle).centroid).norm(), 0.0, 1e-12) << size;
+  }
+}
+
+TEST(PolygonFill, ARectangleOfWholeSquaresGetsTheLatticeItself) {
+  const auto pieces = cut_polygon({.corners = {{0, 0}, {1, 0}, {1, 0.5}, {0, 0.5}}}, {{0, 0}, 0.25});
+  ASSERT_EQ(pieces.size(), 8U);
+  for (std::size_t k = 0; k < pieces.size(); ++k) {
+    EXPECT_NEAR(pieces[k].centroid[0], 0.125 + 0.25 * static_cast<double>(k % 4), 1e-15);
+    EXPECT_NEAR(pieces[k].centroid[1], 0.125 + 0.25 * static_cast<double>(k / 4), 1e-15);
+    EXPECT_NEAR(pieces[k].area, 0.0625, 1e-15);
+  }
+}
+
+TEST(PolygonFill, NoPieceIsMuchLighterOrHeavierThanASquare) {
+  for (const Piece& piece : cut_polygon(triangle, {{0, 0}, 0.1})) {
+    EXPECT_GE(piece.area, 0.01 / 3.0);
+    EXPECT_LE(piece.area, 0.01 * 2.0);
+  }
+}
+
+TEST(PolygonFill, EveryPieceLiesInThePolygon) {
+  for (const Piece& piece : cut_polygon(triangle, {{0, 0}, 0.07}))
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto &a = triangle.corners[i], &b = triangle.corners[(i + 1) % 3];
+      EXPECT_GT((b[0] - a[0]) * (piece.centroid[1] - a[1]) - (b[1] - a[1]) * (piece.centroid[0] - a[0]), 0.0);
+    }
+}
+
+TEST(PolygonFill, APolygonThinnerThanASquareIsNotLost) {
+  const exchange::Polygon strip{.corners = {{0, 0.1}, {3, 0.1}, {3, 0.15}, {0, 0.15}}};
+  EXPECT_NEAR(sum(cut_polygon(strip, {{0, 0}, 1.0})).area, 0.15, 1e-14);
+}
+
+TEST(PolygonFill, PolygonsThatTouchShareTheAreaWithoutGapOrOverlap) {
+  const exchange::Polygon lower{.corners = {{0, 0}, {3, 0}, {0, 3}}}, upper{.corners = {{3, 0}, {5, 0}, {0, 5}, {0, 3}}};
+  const Lattice lattice{{0, 0}, 0.3};
+  const double both = sum(cut_polygon(lower, lattice)).area + sum(cut_polygon(upper, lattice)).area;
+  EXPECT_NEAR(both, 12.5, 1e-12);
+}
