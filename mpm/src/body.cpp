@@ -2,36 +2,16 @@
 
 #include <numeric>
 
+#include "settle/mpm/spaces.hpp"
+
 namespace settle::mpm {
 
-template <class Grid>
-CellStress<Grid::dim> average_stress_of(const Body<Grid>& body, int cell) {
-  static_assert(Grid::dim == 2, "the component order below is that of plane strain");
-  const auto& points = body.points;
-  const auto c = static_cast<std::size_t>(cell);
-  double volume = 0, xx = 0, yy = 0, zz = 0, xy = 0;
-  for (std::size_t p = body.cells.begin[c]; p < body.cells.begin[c + 1]; ++p) {
-    const double v = points.volume[p];
-    volume += v;
-    xx += v * points.stress[0][p];
-    yy += v * points.stress[1][p];
-    zz += v * points.stress[2][p];
-    xy += v * points.stress[3][p];
-  }
-  CellStress<2> result;
-  result.points_volume = volume;
-  result.average.tensor << xx, xy, xy, yy;
-  result.average.tensor /= volume;
-  result.average.out_of_plane = zz / volume;
-  return result;
-}
-
-template <class Grid>
-void replace_stress_by_cell_average(Body<Grid>& body) {
+template <class Space>
+void replace_stress_by_cell_average(Body<Space>& body) {
   for (const int cell : body.cells.occupied) {
-    const auto average = average_stress_of(body, cell).average;
-    const auto c = static_cast<std::size_t>(cell);
-    for (std::size_t p = body.cells.begin[c]; p < body.cells.begin[c + 1]; ++p) {
+    const PointRange range = points_in(body, cell);
+    const auto average = average_stress_of(body.points, range).average;
+    for (std::size_t p = range.first; p < range.last; ++p) {
       body.points.stress[0][p] = average.tensor(0, 0);
       body.points.stress[1][p] = average.tensor(1, 1);
       body.points.stress[2][p] = average.out_of_plane;
@@ -40,11 +20,12 @@ void replace_stress_by_cell_average(Body<Grid>& body) {
   }
 }
 
-std::vector<std::array<bool, 2>> oedometer_supports(const TriangleGrid& grid) {
-  std::vector<std::array<bool, 2>> fixed(static_cast<std::size_t>(grid.n_nodes()));
-  for (int node = 0; node < grid.n_nodes(); ++node) {
-    const int column = node % (grid.columns() + 1), row = node / (grid.columns() + 1);
-    fixed[static_cast<std::size_t>(node)] = {column == 0 || column == grid.columns(), row == 0};
+template <class Space>
+std::vector<PerAxis<bool, Space::dim>> oedometer_supports(const Space& space) {
+  std::vector<PerAxis<bool, Space::dim>> fixed(static_cast<std::size_t>(space.n_nodes()));
+  for (int node = 0; node < space.n_nodes(); ++node) {
+    const int column = node % space.node_columns(), row = node / space.node_columns();
+    fixed[static_cast<std::size_t>(node)] = {column == 0 || column == space.node_columns() - 1, row == 0};
   }
   return fixed;
 }
@@ -59,9 +40,12 @@ double total_volume(const Points<dim>& points) {
   return std::accumulate(points.volume.begin(), points.volume.end(), 0.0);
 }
 
-template CellStress<2> average_stress_of(const Body<TriangleGrid>&, int);
-template void replace_stress_by_cell_average(Body<TriangleGrid>&);
 template double total_mass(const Points<2>&);
 template double total_volume(const Points<2>&);
+
+#define SETTLE_INSTANTIATE(Space)                                                                                      \
+  template void replace_stress_by_cell_average(Body<Space>&);                                                          \
+  template std::vector<PerAxis<bool, Space::dim>> oedometer_supports(const Space&);
+SETTLE_FOR_EVERY_SPACE(SETTLE_INSTANTIATE)
 
 } // namespace settle::mpm

@@ -1,19 +1,19 @@
 #include "settle/mpm/cell_table.hpp"
 
-#include "settle/mpm/triangle_grid.hpp"
+#include "settle/mpm/spaces.hpp"
 
 namespace settle::mpm {
 
 namespace {
 
 /// Writes every point's cell; true if any is not where the table has it.
-template <class Grid>
-bool locate_all(const Grid& grid, Points<Grid::dim>& points) {
+template <class Space>
+bool locate_all(const Space& space, Points<Space::dim>& points) {
   bool changed = false;
   for (std::size_t p = 0; p < points.size(); ++p) {
     const auto x = points.position_of(p);
-    const std::int32_t cell = grid.locate(x);
-    if (cell < 0) throw PointLost(points.id[p], x[0], x[1], grid.width(), grid.rows() * grid.size());
+    const std::int32_t cell = space.locate(x);
+    if (cell < 0) throw PointLost(points.id[p], x, space.box());
     changed = changed || cell != points.cell[p];
     points.cell[p] = cell;
   }
@@ -33,10 +33,10 @@ void count(const std::vector<std::int32_t>& cells, std::size_t n_cells, CellTabl
 
 } // namespace
 
-template <class Grid>
-void sort_by_cell(const Grid& grid, Points<Grid::dim>& points, CellTable& table) {
-  if (!locate_all(grid, points) && !table.begin.empty()) return;
-  count(points.cell, static_cast<std::size_t>(grid.n_cells()), table);
+template <class Space>
+void sort_by_cell(const Space& space, Points<Space::dim>& points, CellTable& table) {
+  if (!locate_all(space, points) && !table.begin.empty()) return;
+  count(points.cell, static_cast<std::size_t>(space.n_cells()), table);
   std::vector<std::uint32_t> next(table.begin.begin(), table.begin.end() - 1);
   std::vector<std::uint32_t> order(points.size());
   for (std::uint32_t p = 0; p < points.size(); ++p)
@@ -44,6 +44,7 @@ void sort_by_cell(const Grid& grid, Points<Grid::dim>& points, CellTable& table)
   points.permute(order);
 }
 
-template void sort_by_cell(const TriangleGrid&, Points<2>&, CellTable&);
+#define SETTLE_INSTANTIATE(Space) template void sort_by_cell(const Space&, Points<Space::dim>&, CellTable&);
+SETTLE_FOR_EVERY_SPACE(SETTLE_INSTANTIATE)
 
 } // namespace settle::mpm

@@ -1,19 +1,19 @@
 #include "constitutive_update.hpp"
 
 #include <type_traits>
-#include <utility>
 
 #include "settle/mpm/hyperelasticity.hpp"
+#include "settle/mpm/spaces.hpp"
 
 namespace settle::mpm {
 
 namespace {
 
 /// Calls `action` with the type of the body's hyperelastic law; the law `rate` is none and does not come here.
-template <class Grid, class Action>
-auto with_hyperelastic_law(const Body<Grid>& body, Action&& action) {
-  if (body.law == exchange::Law::hencky) return action(std::type_identity<Hencky<Grid::dim>>());
-  return action(std::type_identity<NeoHookean<Grid::dim>>());
+template <class Space, class Action>
+auto with_hyperelastic_law(const Body<Space>& body, Action&& action) {
+  if (body.law == exchange::Law::hencky) return action(std::type_identity<Hencky<Space::dim>>());
+  return action(std::type_identity<NeoHookean<Space::dim>>());
 }
 
 Stress<2> stress_of(const Points<2>& points, std::size_t p) {
@@ -30,86 +30,78 @@ void set_stress(Points<2>& points, std::size_t p, const Stress<2>& stress) {
   points.stress[3][p] = stress.tensor(0, 1);
 }
 
-template <class Grid>
-std::pair<std::size_t, std::size_t> points_in(const Body<Grid>& body, int cell) {
-  const auto c = static_cast<std::size_t>(cell);
-  return {body.cells.begin[c], body.cells.begin[c + 1]};
+/// Variation of b = F F^T by a displacement whose gradient is e_direction (x) e_axis.
+template <int dim>
+Tensor<dim> variation_of_b(const Tensor<dim>& b, int direction, int axis) {
+  Tensor<dim> half = Tensor<dim>::Zero();
+  half.row(direction) = b.row(axis);
+  return half + half.transpose();
 }
 
-/// Variation of b = F F^T when the displacement of a node with current shape function gradient `g` varies in
-/// `direction`.
-template <int dim>
-Tensor<dim> variation_of_b(const Tensor<dim>& b, const Vector<dim>& g, int direction) {
-  Tensor<dim> half = Tensor<dim>::Zero();
-  half.row(direction) = g.transpose() * b;
-  return half + half.transpose();
+/// Calls `variation(direction, axis)` for every component of the gradient.
+template <int dim, class Variation>
+void differentiate(Response<dim>& response, Variation&& variation) {
+  for (int direction = 0; direction < dim; ++direction)
+    for (int axis = 0; axis < dim; ++axis)
+      variation(response.by_gradient[static_cast<std::size_t>(direction)][static_cast<std::size_t>(axis)], direction,
+                axis);
 }
 
 /// Law `rate`: sigma = R sigma_0 R^T + D : e, e the logarithmic strain of the increment, R its rotation for the Jaumann
 /// rate, else the identity. It is linear in sigma_0, so the average of the points' stresses is the stress of their
 /// average.
-template <class Grid>
-CellResponse<Grid> rate_response(const Body<Grid>& body, int cell, const Tensor<Grid::dim>& start,
-                                 const IncrementalKinematics<Grid::dim>& kinematics) {
-  constexpr int dim = Grid::dim;
+template <class Space, int dim = Space::dim>
+Response<dim> rate_response(const Body<Space>& body, const Tensor<dim>& start,
+                            const IncrementalKinematics<dim>& kinematics) {
   const Tensor<dim> rotation = body.jaumann ? kinematics.rotation() : Tensor<dim>::Identity();
-  CellResponse<Grid> response;
   const Tensor<dim> b = kinematics.deformation * kinematics.deformation.transpose();
   const Hencky<dim> increment(body.lame, b);
+  Response<dim> response;
   response.stress = rotation * start * rotation.transpose() + increment.kirchhoff().tensor;
-  for (int dof = 0; dof < dim * Grid::nodes_per_cell; ++dof) {
-    const Vector<dim> g = body.grid.gradients(cell).col(dof / dim);
-    const Vector<dim> current = kinematics.inverse.transpose() * g;
-    Tensor<dim> variation = increment.variation(variation_of_b<dim>(b, current, dof % dim)).tensor;
-    if (body.jaumann) {
-      const Tensor<dim> d_rotation = 0.5 * kinematics.half_rotation() * kinematics.spin_variation(g, dof % dim) *
-                                     (Tensor<dim>::Identity() + rotation);
-      const Tensor<dim> turned = d_rotation * start * rotation.transpose();
-      variation += turned + turned.transpose();
-    }
-    response.variations[static_cast<std::size_t>(dof)] = variation;
-  }
+  differentiate(response, [&](Tensor<dim>& variation, int direction, int axis) {
+    variation = increment.variation(variation_of_b<dim>(b, direction, axis)).tensor;
+    if (!body.jaumann) return;
+    const Vector<dim> at_start = kinematics.deformation.row(axis).transpose(); // F^T e_axis
+    const Tensor<dim> d_rotation = 0.5 * kinematics.half_rotation() * kinematics.spin_variation(at_start, direction) *
+                                   (Tensor<dim>::Identity() + rotation);
+    const Tensor<dim> turned = d_rotation * start * rotation.transpose();
+    variation += turned + turned.transpose();
+  });
   return response;
 }
 
 /// sigma = tau(b) / J point by point; d_sigma = d_tau / J - div(d_u) sigma.
-template <class Law, class Grid>
-CellResponse<Grid> hyperelastic_response(const Body<Grid>& body, int cell, double points_volume,
-                                         const IncrementalKinematics<Grid::dim>& kinematics) {
-  constexpr int dim = Grid::dim;
-  const typename Grid::Gradients gradients = kinematics.inverse.transpose() * body.grid.gradients(cell);
-  const Tensor<dim> increment = kinematics.deformation;
-  CellResponse<Grid> response;
+template <class Law, class Space, int dim = Space::dim>
+Response<dim> hyperelastic_response(const Body<Space>& body, PointRange range, double points_volume,
+                                    const IncrementalKinematics<dim>& kinematics) {
+  Response<dim> response;
   response.stress.setZero();
-  response.variations.fill(Tensor<dim>::Zero());
-  const auto [first, last] = points_in(body, cell);
-  for (std::size_t p = first; p < last; ++p) {
+  differentiate(response, [](Tensor<dim>& variation, int, int) { variation.setZero(); });
+  for (std::size_t p = range.first; p < range.last; ++p) {
     const double weight = body.points.volume[p] / points_volume;
-    const Tensor<dim> deformation = increment * body.points.deformation_of(p);
+    const Tensor<dim> deformation = kinematics.deformation * body.points.deformation_of(p);
     const Tensor<dim> b = deformation * deformation.transpose();
     const double jacobian = deformation.determinant();
     const Law law(body.lame, b);
     const Tensor<dim> sigma = law.kirchhoff().tensor / jacobian;
     response.stress += weight * sigma;
-    for (int dof = 0; dof < dim * Grid::nodes_per_cell; ++dof) {
-      const Vector<dim> g = gradients.col(dof / dim);
-      const Tensor<dim> d_tau = law.variation(variation_of_b<dim>(b, g, dof % dim)).tensor;
-      response.variations[static_cast<std::size_t>(dof)] += weight * (d_tau / jacobian - g[dof % dim] * sigma);
-    }
+    differentiate(response, [&](Tensor<dim>& variation, int direction, int axis) {
+      variation += weight * law.variation(variation_of_b<dim>(b, direction, axis)).tensor / jacobian;
+      if (direction == axis) variation -= weight * sigma;
+    });
   }
   return response;
 }
 
-template <class Grid>
-void deform_rate_points(Body<Grid>& body, int cell, const IncrementalKinematics<Grid::dim>& kinematics,
+template <class Space>
+void deform_rate_points(Body<Space>& body, PointRange range, const IncrementalKinematics<Space::dim>& kinematics,
                         StrainMeasure measure) {
-  constexpr int dim = Grid::dim;
+  constexpr int dim = Space::dim;
   const auto increment =
       measure == StrainMeasure::midpoint
           ? stress_increment<dim>(body.lame, kinematics.strain)
           : Hencky<dim>(body.lame, kinematics.deformation * kinematics.deformation.transpose()).kirchhoff();
-  const auto [first, last] = points_in(body, cell);
-  for (std::size_t p = first; p < last; ++p) {
+  for (std::size_t p = range.first; p < range.last; ++p) {
     auto stress = stress_of(body.points, p);
     if (body.jaumann) {
       const Tensor<dim> rotation = kinematics.rotation();
@@ -121,12 +113,12 @@ void deform_rate_points(Body<Grid>& body, int cell, const IncrementalKinematics<
   }
 }
 
-template <class Law, class Grid>
-void deform_hyperelastic_points(Body<Grid>& body, int cell, const IncrementalKinematics<Grid::dim>& kinematics) {
-  constexpr int dim = Grid::dim;
+template <class Law, class Space>
+void deform_hyperelastic_points(Body<Space>& body, PointRange range,
+                                const IncrementalKinematics<Space::dim>& kinematics) {
+  constexpr int dim = Space::dim;
   const Tensor<dim> increment = kinematics.deformation;
-  const auto [first, last] = points_in(body, cell);
-  for (std::size_t p = first; p < last; ++p) {
+  for (std::size_t p = range.first; p < range.last; ++p) {
     const Tensor<dim> deformation = increment * body.points.deformation_of(p);
     body.points.set_deformation(p, deformation);
     Stress<dim> stress = Law(body.lame, deformation * deformation.transpose()).kirchhoff();
@@ -138,28 +130,29 @@ void deform_hyperelastic_points(Body<Grid>& body, int cell, const IncrementalKin
 
 } // namespace
 
-template <class Grid>
-CellResponse<Grid> respond(const Body<Grid>& body, int cell, const CellStress<Grid::dim>& start,
-                           const IncrementalKinematics<Grid::dim>& kinematics) {
-  if (body.law == exchange::Law::rate) return rate_response(body, cell, start.average.tensor, kinematics);
+template <class Space>
+Response<Space::dim> respond(const Body<Space>& body, PointRange range, const AverageStress<Space::dim>& start,
+                             const IncrementalKinematics<Space::dim>& kinematics) {
+  if (body.law == exchange::Law::rate) return rate_response(body, start.average.tensor, kinematics);
   return with_hyperelastic_law(body, [&]<class Law>(std::type_identity<Law>) {
-    return hyperelastic_response<Law>(body, cell, start.points_volume, kinematics);
+    return hyperelastic_response<Law>(body, range, start.points_volume, kinematics);
   });
 }
 
-template <class Grid>
-void deform_points(Body<Grid>& body, int cell, const IncrementalKinematics<Grid::dim>& kinematics,
+template <class Space>
+void deform_points(Body<Space>& body, PointRange range, const IncrementalKinematics<Space::dim>& kinematics,
                    StrainMeasure measure) {
-  const auto [first, last] = points_in(body, cell);
-  for (std::size_t p = first; p < last; ++p)
+  for (std::size_t p = range.first; p < range.last; ++p)
     body.points.volume[p] *= kinematics.volume_ratio;
-  if (body.law == exchange::Law::rate) return deform_rate_points(body, cell, kinematics, measure);
+  if (body.law == exchange::Law::rate) return deform_rate_points(body, range, kinematics, measure);
   with_hyperelastic_law(
-      body, [&]<class Law>(std::type_identity<Law>) { deform_hyperelastic_points<Law>(body, cell, kinematics); });
+      body, [&]<class Law>(std::type_identity<Law>) { deform_hyperelastic_points<Law>(body, range, kinematics); });
 }
 
-template CellResponse<TriangleGrid> respond(const Body<TriangleGrid>&, int, const CellStress<2>&,
-                                            const IncrementalKinematics<2>&);
-template void deform_points(Body<TriangleGrid>&, int, const IncrementalKinematics<2>&, StrainMeasure);
+#define SETTLE_INSTANTIATE(Space)                                                                                      \
+  template Response<Space::dim> respond(const Body<Space>&, PointRange, const AverageStress<Space::dim>&,              \
+                                        const IncrementalKinematics<Space::dim>&);                                     \
+  template void deform_points(Body<Space>&, PointRange, const IncrementalKinematics<Space::dim>&, StrainMeasure);
+SETTLE_FOR_EVERY_SPACE(SETTLE_INSTANTIATE)
 
 } // namespace settle::mpm

@@ -1,6 +1,6 @@
 /// \file
-/// What an increment's deformation of a cell does to its stress: the response a Newton iteration needs, and the update
-/// of the points once the increment is accepted.
+/// What an increment's deformation of some points does to their stress: the response a Newton iteration needs, and the
+/// update of the points once the increment is accepted.
 #pragma once
 
 #include "incremental_kinematics.hpp"
@@ -8,21 +8,20 @@
 
 namespace settle::mpm {
 
-/// Average Cauchy stress of a cell at the end of an increment and its derivative.
-template <class Grid>
-struct CellResponse {
-  static constexpr int dim = Grid::dim;
+/// Average Cauchy stress of some points at the end of an increment and its derivative with respect to a gradient h of a
+/// displacement on top of it, taken where the points are then: d(stress) = sum_ba h_ba by_gradient[b][a] [Pa]. For the
+/// degree of freedom of node j in direction b, h_ba is the a-th component of the node's current gradient.
+template <int dim>
+struct Response {
   Tensor<dim> stress;
-  /// By degree of freedom of the cell, dim * node + direction: variation of `stress` with that nodal displacement
-  /// [Pa/m].
-  std::array<Tensor<dim>, static_cast<std::size_t>(dim* Grid::nodes_per_cell)> variations;
+  PerAxis<PerAxis<Tensor<dim>, dim>, dim> by_gradient;
 };
 
-/// `start`: the cell's average stress at the start of the increment. The average keeps the points' volumes as weights:
-/// all points of a cell of constant gradient change their volume by the same ratio.
-template <class Grid>
-CellResponse<Grid> respond(const Body<Grid>& body, int cell, const CellStress<Grid::dim>& start,
-                           const IncrementalKinematics<Grid::dim>& kinematics);
+/// For points that deform alike, `start` their average stress at the start of the increment. The average keeps their
+/// volumes as weights: all change by the same ratio.
+template <class Space>
+Response<Space::dim> respond(const Body<Space>& body, PointRange range, const AverageStress<Space::dim>& start,
+                             const IncrementalKinematics<Space::dim>& kinematics);
 
 /// How the law `rate` measures the strain of an increment.
 enum class StrainMeasure {
@@ -30,9 +29,9 @@ enum class StrainMeasure {
   logarithmic ///< 1/2 ln(F F^T): exact where the principal axes do not turn, for quasi-static increments of any size
 };
 
-/// Volume, stress and, where tracked, deformation gradient of the cell's points at the end of the increment.
-template <class Grid>
-void deform_points(Body<Grid>& body, int cell, const IncrementalKinematics<Grid::dim>& kinematics,
+/// Volume, stress and, where tracked, deformation gradient of points that deform alike at the end of the increment.
+template <class Space>
+void deform_points(Body<Space>& body, PointRange range, const IncrementalKinematics<Space::dim>& kinematics,
                    StrainMeasure measure);
 
 } // namespace settle::mpm

@@ -6,35 +6,49 @@
 
 #include "settle/exchange/errors.hpp"
 #include "settle/exchange/fitting_size.hpp"
+#include "settle/mpm/spaces.hpp"
 
 namespace settle::mpm {
 
-Body<TriangleGrid> empty_body(const exchange::Case& study) {
+namespace {
+
+PointLayout layout_of(const exchange::Case& study) {
+  if (study.mpm.element == exchange::MpmElement::triangle) return triangle_layout();
+  return lattice_layout(static_cast<int>(std::lround(std::sqrt(*study.mpm.points_per_element))));
+}
+
+} // namespace
+
+template <class Space>
+Body<Space> empty_body(const exchange::Case& study) {
   const auto counts = exchange::count_elements(study, "mpm.element_size", study.mpm.element_size);
   const auto& fill = study.fill();
-  const TriangleGrid grid(counts.across, counts.per_layer * study.construction.layers + 1,
-                          study.geometry.width / counts.across);
-  Body<TriangleGrid> body{.grid = grid,
-                          .points = {},
-                          .cells = {},
-                          .fixed = oedometer_supports(grid),
-                          .lame = Lame::from(fill.youngs_modulus, fill.poissons_ratio),
-                          .density = fill.density,
-                          .integration = study.mpm.integration == exchange::Integration::mixed
-                                             ? StressIntegration::full_cells
-                                             : StressIntegration::points,
-                          .average_stress = study.mpm.average_stress,
-                          .law = fill.law,
-                          .jaumann = study.mpm.jaumann};
+  const Space space(GridBox{.columns = counts.across,
+                            .rows = counts.per_layer * study.construction.layers + 1,
+                            .size = study.geometry.width / counts.across});
+  Body<Space> body{.space = space,
+                   .points = {},
+                   .layout = layout_of(study),
+                   .cells = {},
+                   .fixed = oedometer_supports(space),
+                   .lame = Lame::from(fill.youngs_modulus, fill.poissons_ratio),
+                   .density = fill.density,
+                   .integration = study.mpm.integration == exchange::Integration::mixed ? StressIntegration::full_cells
+                                                                                        : StressIntegration::points,
+                   .average_stress = study.mpm.average_stress,
+                   .law = fill.law,
+                   .jaumann = study.mpm.jaumann};
   body.points.tracks_deformation = fill.law != exchange::Law::rate;
   return body;
 }
 
-double mean_surface(const Body<TriangleGrid>& body) {
-  return total_volume(body.points) / body.grid.width();
+template <class Space>
+double mean_surface(const Body<Space>& body) {
+  return body.space.origin()[1] + total_volume(body.points) / body.space.width();
 }
 
-LayerPlacement placement_of(const exchange::Case& study, int layer, const Body<TriangleGrid>& body) {
+template <class Space>
+LayerPlacement placement_of(const exchange::Case& study, int layer, const Body<Space>& body) {
   const double thickness = study.layer_thickness();
   const double level = layer * thickness;
   switch (study.construction.convention) {
@@ -49,12 +63,14 @@ LayerPlacement placement_of(const exchange::Case& study, int layer, const Body<T
   return {.layer = layer, .base = level - thickness, .thickness = thickness};
 }
 
-void require_supported(const exchange::Case& study, const LayerPlacement& placement, const Body<TriangleGrid>& body) {
-  const int row_below = static_cast<int>(std::lround(placement.base / body.grid.size())) - 1;
+template <class Space>
+void require_supported(const exchange::Case& study, const LayerPlacement& placement, const Body<Space>& body) {
+  const double base = placement.base - body.space.origin()[1];
+  const int row_below = static_cast<int>(std::lround(base / body.space.size())) - 1;
   if (row_below < 0) return;
-  for (int column = 0; column < body.grid.columns(); ++column) {
-    const int lower = 2 * (column + body.grid.columns() * row_below);
-    if (!body.cells.is_empty(lower) || !body.cells.is_empty(lower + 1)) continue;
+  for (int column = 0; column < body.space.columns(); ++column) {
+    const int first = Space::cells_per_square * (column + body.space.columns() * row_below);
+    if (body.cells.has_points(first, first + Space::cells_per_square)) continue;
     throw exchange::InputError(
         {.where = study.where("construction.convention"),
          .what = fmt::format("layer {} is dropped over an empty row of elements and has no quasi-static equilibrium",
@@ -62,9 +78,16 @@ void require_supported(const exchange::Case& study, const LayerPlacement& placem
          .given = fmt::format("convention = \"drop\" with mpm.scheme = \"quasi-static\"; the surface has settled to "
                               "{:.4g} m, the layer is placed at {:.4g} m",
                               mean_surface(body) - placement.thickness, placement.base),
-         .allowed = fmt::format("a gap below one element, {:g} m", body.grid.size()),
+         .allowed = fmt::format("a gap below one element, {:g} m", body.space.size()),
          .remedy = "use mpm.scheme = \"explicit\", which lets the layer fall, or construction.convention = \"float\""});
   }
 }
+
+#define SETTLE_INSTANTIATE(Space)                                                                                      \
+  template Body<Space> empty_body(const exchange::Case&);                                                              \
+  template LayerPlacement placement_of(const exchange::Case&, int, const Body<Space>&);                                \
+  template double mean_surface(const Body<Space>&);                                                                    \
+  template void require_supported(const exchange::Case&, const LayerPlacement&, const Body<Space>&);
+SETTLE_FOR_EVERY_SPACE(SETTLE_INSTANTIATE)
 
 } // namespace settle::mpm

@@ -10,17 +10,21 @@
 namespace settle::mpm {
 
 /// An empty body on the case's grid; one row of squares more than the design height, for the surface to move in.
-Body<TriangleGrid> empty_body(const exchange::Case& study);
+template <class Space>
+Body<Space> empty_body(const exchange::Case& study);
 
 /// Where layer k goes on the body as it stands: at its design level (`refill`, `drop`), on the settled surface with its
 /// design thickness (`float`), or on the settled surface up to its design level (`level-up`).
-LayerPlacement placement_of(const exchange::Case& study, int layer, const Body<TriangleGrid>& body);
+template <class Space>
+LayerPlacement placement_of(const exchange::Case& study, int layer, const Body<Space>& body);
 
 /// Height of the settled surface: all points' volume over the width [m].
-double mean_surface(const Body<TriangleGrid>& body);
+template <class Space>
+double mean_surface(const Body<Space>& body);
 
 /// Throws exchange::InputError where a layer just dropped hangs over a row of squares without a point in it: it has no
 /// equilibrium before it has fallen, which only the explicit scheme can follow.
-void require_supported(const exchange::Case& study, const LayerPlacement& placement, const Body<TriangleGrid>& body);
+template <class Space>
+void require_supported(const exchange::Case& study, const LayerPlacement& placement, const Body<Space>& body);
 
 } // namespace settle::mpm

@@ -6,6 +6,7 @@
 #include "settle/exchange/errors.hpp"
 #include "settle/mpm/explicit_step.hpp"
 #include "settle/mpm/loading.hpp"
+#include "settle/mpm/spaces.hpp"
 
 namespace settle::mpm {
 
@@ -22,12 +23,13 @@ struct Errors {
 };
 
 /// A stage in progress: time steps until somebody decides that it is over.
+template <class Space>
 class Run {
 public:
-  Run(Body<TriangleGrid>& body, const StageLoad& load, const exchange::ExplicitDynamic& settings)
+  Run(Body<Space>& body, const StageLoad& load, const exchange::ExplicitDynamic& settings)
       : body_(body),
         settings_(settings), gravity_{.acceleration = load.gravity, .ramped_layer = load.layer, .factor = 0.0},
-        nodes_(static_cast<std::size_t>(body.grid.n_nodes())) {}
+        nodes_(static_cast<std::size_t>(body.space.n_nodes())) {}
 
   /// One step, not beyond `dt_max`, with the layer's gravity at `factor`. Returns its length [s].
   double advance(double dt_max, double factor) {
@@ -55,10 +57,10 @@ public:
   }
 
 private:
-  Body<TriangleGrid>& body_;
+  Body<Space>& body_;
   const exchange::ExplicitDynamic& settings_;
   Gravity gravity_;
-  Nodes<2> nodes_;
+  Nodes<Space::dim> nodes_;
   ForceSums sums_;
   double external_work_ = 0, kinetic_ = 0;
   std::int64_t steps_ = 0;
@@ -73,7 +75,8 @@ private:
        .remedy = "raise mpm.explicit.max_hold_time or ramp_time, or use mpm.integration = \"mixed\""});
 }
 
-void ramp(Run& run, Body<TriangleGrid>& body, const StageLoad& load, double ramp_time) {
+template <class Space>
+void ramp(Run<Space>& run, Body<Space>& body, const StageLoad& load, double ramp_time) {
   for (double time = 0; time < ramp_time;) {
     const double left = ramp_time - time;
     time += run.advance(left, std::min(1.0, time / ramp_time));
@@ -81,7 +84,8 @@ void ramp(Run& run, Body<TriangleGrid>& body, const StageLoad& load, double ramp
   }
 }
 
-void hold_until_equilibrium(Run& run, Body<TriangleGrid>& body, const StageLoad& load,
+template <class Space>
+void hold_until_equilibrium(Run<Space>& run, Body<Space>& body, const StageLoad& load,
                             const exchange::ExplicitDynamic& settings) {
   for (double time = 0; time < settings.max_hold_time;) {
     time += run.advance(settings.max_hold_time, 1.0);
@@ -94,8 +98,9 @@ void hold_until_equilibrium(Run& run, Body<TriangleGrid>& body, const StageLoad&
 
 } // namespace
 
-StageReport load_explicit(Body<TriangleGrid>& body, const StageLoad& load, const exchange::ExplicitDynamic& settings) {
-  Run run(body, load, settings);
+template <class Space>
+StageReport load_explicit(Body<Space>& body, const StageLoad& load, const exchange::ExplicitDynamic& settings) {
+  Run<Space> run(body, load, settings);
   ramp(run, body, load, settings.ramp_time);
   if (!settings.hold) {
     hold_until_equilibrium(run, body, load, settings);
@@ -107,5 +112,9 @@ StageReport load_explicit(Body<TriangleGrid>& body, const StageLoad& load, const
   }
   return run.report();
 }
+
+#define SETTLE_INSTANTIATE(Space)                                                                                      \
+  template StageReport load_explicit(Body<Space>&, const StageLoad&, const exchange::ExplicitDynamic&);
+SETTLE_FOR_EVERY_SPACE(SETTLE_INSTANTIATE)
 
 } // namespace settle::mpm

@@ -1,24 +1,26 @@
 #include "settle/mpm/nodal_forces.hpp"
 
+#include "settle/mpm/spaces.hpp"
+
 namespace settle::mpm {
 
-template <class Grid>
-Eigen::VectorXd external_forces(const Body<Grid>& body, const Gravity& gravity) {
-  constexpr int dim = Grid::dim;
-  Eigen::VectorXd forces = Eigen::VectorXd::Zero(dim * body.grid.n_nodes());
+template <class Space>
+Eigen::VectorXd external_forces(const Body<Space>& body, const Gravity& gravity) {
+  constexpr int dim = Space::dim;
+  Eigen::VectorXd forces = Eigen::VectorXd::Zero(dim * body.space.n_nodes());
   for (const int cell : body.cells.occupied) {
-    const auto nodes = body.grid.nodes(cell);
-    const auto c = static_cast<std::size_t>(cell);
-    for (std::size_t p = body.cells.begin[c]; p < body.cells.begin[c + 1]; ++p) {
-      const auto values = body.grid.values(cell, body.points.position_of(p));
+    const auto [first, last] = points_in(body, cell);
+    for (std::size_t p = first; p < last; ++p) {
+      const auto stencil = body.space.stencil(cell, body.points, p);
       const double weight = body.points.mass[p] * gravity.on(body.points.layer[p]);
-      for (std::size_t i = 0; i < nodes.size(); ++i)
-        forces[dim * nodes[i] + dim - 1] -= values[i] * weight;
+      for (int i = 0; i < stencil.size(); ++i)
+        forces[dim * stencil.node(i) + dim - 1] -= stencil.value(i) * weight;
     }
   }
   return forces;
 }
 
-template Eigen::VectorXd external_forces(const Body<TriangleGrid>&, const Gravity&);
+#define SETTLE_INSTANTIATE(Space) template Eigen::VectorXd external_forces(const Body<Space>&, const Gravity&);
+SETTLE_FOR_EVERY_SPACE(SETTLE_INSTANTIATE)
 
 } // namespace settle::mpm

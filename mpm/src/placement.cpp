@@ -1,16 +1,13 @@
 #include "settle/mpm/placement.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+
+#include "settle/mpm/spaces.hpp"
 
 namespace settle::mpm {
 
 namespace {
-
-/// Gauss positions of a triangle (degree 2) in the local coordinates of its right angle.
-constexpr std::array<std::array<double, 2>, 3> gauss_positions{
-    {{1.0 / 6.0, 1.0 / 6.0}, {2.0 / 3.0, 1.0 / 6.0}, {1.0 / 6.0, 2.0 / 3.0}}};
 
 /// The box that a square's points fill: the square itself, or a slice of a layer of another height.
 struct Box {
@@ -18,58 +15,79 @@ struct Box {
   Vector<2> size;
 };
 
-void fill_triangle(Body<TriangleGrid>& body, const Box& box, bool upper, int layer, bool refilled) {
-  for (const auto& [xi, eta] : gauss_positions) {
-    const Vector<2> local = upper ? Vector<2>(1.0 - xi, 1.0 - eta) : Vector<2>(xi, eta);
-    body.points.add({.layer = layer,
-                     .refilled = refilled,
+/// What a new point has besides its place.
+struct Origin {
+  int layer = 1;
+  bool refilled = false;
+};
+
+/// Places the points of the `which`-th cell of a square.
+template <class Space>
+void fill_cell(Body<Space>& body, const Box& box, std::size_t which, const Origin& origin) {
+  const double volume = box.size.prod() / static_cast<double>(body.layout.points_per_square());
+  for (const Vector<2>& local : body.layout.cells[which])
+    body.points.add({.layer = origin.layer,
+                     .refilled = origin.refilled,
                      .position = box.corner + local.cwiseProduct(box.size),
-                     .volume = box.size.prod() / 6.0,
+                     .volume = volume,
                      .density = body.density});
-  }
 }
 
 } // namespace
 
-void place_layer(Body<TriangleGrid>& body, const LayerPlacement& placement) {
-  const double size = body.grid.size();
+template <class Space>
+void place_layer(Body<Space>& body, const LayerPlacement& placement) {
+  const double size = body.space.size();
   const int rows = std::max(1, static_cast<int>(std::lround(placement.thickness / size)));
   const double height = placement.thickness / rows;
   for (int row = 0; row < rows; ++row)
-    for (int column = 0; column < body.grid.columns(); ++column)
-      for (const bool upper : {false, true})
-        fill_triangle(body, {{column * size, placement.base + row * height}, {size, height}}, upper, placement.layer,
-                      false);
+    for (int column = 0; column < body.space.columns(); ++column) {
+      const double left = body.space.corner(column, 0)[0];
+      for (std::size_t which = 0; which < body.layout.cells.size(); ++which)
+        fill_cell(body, {{left, placement.base + row * height}, {size, height}}, which, {.layer = placement.layer});
+    }
 }
 
-void refill_cell(Body<TriangleGrid>& body, int cell, int layer) {
-  const auto& grid = body.grid;
-  const double size = grid.size();
-  fill_triangle(body, {{grid.column_of(cell) * size, grid.row_of(cell) * size}, {size, size}}, cell % 2 == 1, layer,
-                true);
+template <class Space>
+void refill_cell(Body<Space>& body, int cell, int layer) {
+  const auto& space = body.space;
+  const Box square{space.corner(space.column_of(cell), space.row_of(cell)), Vector<2>::Constant(space.size())};
+  fill_cell(body, square, static_cast<std::size_t>(cell % Space::cells_per_square), {.layer = layer, .refilled = true});
 }
 
-double refill_row_height(const TriangleGrid& grid) {
-  return grid.size() / 6.0;
+template <class Space>
+double refill_row_height(const Body<Space>& body) {
+  return body.layout.row_height * body.space.size();
 }
 
-void refill_row(Body<TriangleGrid>& body, const RefillRow& row) {
-  const double size = body.grid.size();
-  for (const double x : {0.25, 0.75})
+template <class Space>
+void refill_row(Body<Space>& body, const RefillRow& row) {
+  const int count = body.layout.row_points;
+  const double spacing = body.space.size() / count, left = body.space.corner(row.column, 0)[0];
+  for (int i = 0; i < count; ++i)
     body.points.add({.layer = row.layer,
                      .refilled = true,
-                     .position = {(row.column + x) * size, row.top - 0.5 * row.height},
-                     .volume = 0.5 * size * row.height,
+                     .position = {left + (i + 0.5) * spacing, row.top - 0.5 * row.height},
+                     .volume = spacing * row.height,
                      .density = body.density});
 }
 
-std::vector<double> column_heights(const Body<TriangleGrid>& body) {
-  std::vector<double> heights(static_cast<std::size_t>(body.grid.columns()), 0.0);
+template <class Space>
+std::vector<double> column_heights(const Body<Space>& body) {
+  std::vector<double> heights(static_cast<std::size_t>(body.space.columns()), 0.0);
   for (std::size_t p = 0; p < body.points.size(); ++p)
-    heights[static_cast<std::size_t>(body.grid.column_of(body.points.cell[p]))] += body.points.volume[p];
+    heights[static_cast<std::size_t>(body.space.column_of(body.points.cell[p]))] += body.points.volume[p];
   for (double& height : heights)
-    height /= body.grid.size();
+    height = body.space.origin()[1] + height / body.space.size();
   return heights;
 }
+
+#define SETTLE_INSTANTIATE(Space)                                                                                      \
+  template void place_layer(Body<Space>&, const LayerPlacement&);                                                      \
+  template void refill_cell(Body<Space>&, int, int);                                                                   \
+  template double refill_row_height(const Body<Space>&);                                                               \
+  template void refill_row(Body<Space>&, const RefillRow&);                                                            \
+  template std::vector<double> column_heights(const Body<Space>&);
+SETTLE_FOR_EVERY_SPACE(SETTLE_INSTANTIATE)
 
 } // namespace settle::mpm

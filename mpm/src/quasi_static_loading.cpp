@@ -5,6 +5,7 @@
 #include "settle/exchange/errors.hpp"
 #include "settle/mpm/loading.hpp"
 #include "settle/mpm/quasi_static_step.hpp"
+#include "settle/mpm/spaces.hpp"
 
 namespace settle::mpm {
 
@@ -23,8 +24,9 @@ constexpr int max_closing_increments = 200;
 }
 
 /// Brings the body into equilibrium at this gravity, in halved parts where Newton fails on the whole.
-void balance(Body<TriangleGrid>& body, QuasiStaticStep<TriangleGrid>& step, const StageLoad& load,
-             const Gravity& gravity, StageReport& stage) {
+template <class Space>
+void balance(Body<Space>& body, QuasiStaticStep<Space>& step, const StageLoad& load, const Gravity& gravity,
+             StageReport& stage) {
   double fraction = 1.0;
   while (true) {
     const IncrementReport report = step.advance(body, gravity, fraction);
@@ -44,8 +46,9 @@ void balance(Body<TriangleGrid>& body, QuasiStaticStep<TriangleGrid>& step, cons
 
 } // namespace
 
-StageReport load_quasi_static(Body<TriangleGrid>& body, const StageLoad& load, const exchange::QuasiStatic& settings) {
-  QuasiStaticStep<TriangleGrid> step(settings.residual);
+template <class Space>
+StageReport load_quasi_static(Body<Space>& body, const StageLoad& load, const exchange::QuasiStatic& settings) {
+  QuasiStaticStep<Space> step(settings.residual);
   StageReport stage;
   Gravity gravity{.acceleration = load.gravity, .ramped_layer = load.layer, .factor = 0.0};
   for (int increment = 1; increment <= settings.increments; ++increment) {
@@ -65,5 +68,9 @@ StageReport load_quasi_static(Body<TriangleGrid>& body, const StageLoad& load, c
   stage.in_equilibrium = true;
   return stage;
 }
+
+#define SETTLE_INSTANTIATE(Space)                                                                                      \
+  template StageReport load_quasi_static(Body<Space>&, const StageLoad&, const exchange::QuasiStatic&);
+SETTLE_FOR_EVERY_SPACE(SETTLE_INSTANTIATE)
 
 } // namespace settle::mpm

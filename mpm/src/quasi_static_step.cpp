@@ -5,8 +5,10 @@
 
 #include <Eigen/SparseLU>
 
+#include "cell_gradients.hpp"
 #include "constitutive_update.hpp"
 #include "settle/mpm/nodal_forces.hpp"
+#include "settle/mpm/spaces.hpp"
 
 namespace settle::mpm {
 
@@ -14,119 +16,132 @@ namespace {
 
 constexpr int max_iterations = 25;
 
-/// Equation numbers of the free degrees of freedom of nodes that touch an occupied cell; -1 elsewhere.
+/// Equation numbers of the free degrees of freedom of nodes that points touch; -1 elsewhere.
 struct Numbering {
-  std::vector<std::int32_t> cells; ///< the occupied ones: with the equations, they make the matrix's pattern
-  std::vector<int> equation;       ///< dim * node + direction -> row
+  std::vector<int> cell_nodes; ///< of every occupied cell, one after the other: they make the matrix's pattern
+  std::vector<int> equation;   ///< dim * node + direction -> row
   int size = 0;
 
   bool operator==(const Numbering&) const = default;
 };
 
-template <class Grid>
-Numbering number_unknowns(const Body<Grid>& body) {
-  constexpr int dim = Grid::dim;
-  Numbering numbering{.cells = body.cells.occupied, .equation = {}, .size = 0};
-  numbering.equation.assign(static_cast<std::size_t>(dim * body.grid.n_nodes()), -1);
-  for (const int cell : body.cells.occupied)
-    for (const int node : body.grid.nodes(cell))
-      for (int c = 0; c < dim; ++c)
-        if (!body.fixed[static_cast<std::size_t>(node)][static_cast<std::size_t>(c)])
-          numbering.equation[static_cast<std::size_t>(dim * node + c)] = 0;
+template <class Space>
+Numbering number_unknowns(const Body<Space>& body) {
+  constexpr int dim = Space::dim;
+  Numbering numbering;
+  numbering.equation.assign(static_cast<std::size_t>(dim * body.space.n_nodes()), -1);
+  for (const int cell : body.cells.occupied) {
+    const CellGradients<Space> cell_gradients(body, cell);
+    for (int i = 0; i < cell_gradients.n_nodes(); ++i)
+      numbering.cell_nodes.push_back(cell_gradients.node(i));
+    numbering.cell_nodes.push_back(-1); // ends the cell
+  }
+  for (const int node : numbering.cell_nodes)
+    for (int c = 0; node >= 0 && c < dim; ++c)
+      if (!body.fixed[static_cast<std::size_t>(node)][static_cast<std::size_t>(c)])
+        numbering.equation[static_cast<std::size_t>(dim * node + c)] = 0;
   for (int& equation : numbering.equation)
     if (equation == 0) equation = numbering.size++;
   return numbering;
 }
 
-/// Gradient of a nodal displacement field in a cell.
-template <class Grid>
-Tensor<Grid::dim> gradient_in(const Grid& grid, int cell, const Eigen::VectorXd& displacement) {
-  constexpr int dim = Grid::dim;
+/// Deformation of a patch in an increment of the nodes' displacement.
+template <class Space>
+IncrementalKinematics<Space::dim> kinematics_of(const CellGradients<Space>& cell, const Patch<Space>& patch,
+                                                const Eigen::VectorXd& displacement) {
+  constexpr int dim = Space::dim;
   Tensor<dim> gradient = Tensor<dim>::Zero();
-  const auto nodes = grid.nodes(cell);
-  for (int i = 0; i < Grid::nodes_per_cell; ++i)
-    gradient += displacement.template segment<dim>(dim * nodes[static_cast<std::size_t>(i)]) *
-                grid.gradients(cell).col(i).transpose();
-  return gradient;
+  for (int i = 0; i < cell.n_nodes(); ++i)
+    gradient += displacement.template segment<dim>(dim * cell.node(i)) * patch.gradients.col(i).transpose();
+  return IncrementalKinematics<dim>(gradient);
 }
 
-/// Internal forces of one cell at the end of the increment and their derivative.
-template <class Grid>
+/// Internal forces of one cell at the end of the increment and their derivative; the first dim * n_nodes() entries.
+template <class Space>
 struct CellContribution {
-  static constexpr int dofs = Grid::dim * Grid::nodes_per_cell;
-  Eigen::Matrix<double, dofs, 1> force;
-  Eigen::Matrix<double, dofs, dofs> tangent;
+  static constexpr int max_dofs = Space::dim * Space::max_nodes;
+  Eigen::Matrix<double, max_dofs, 1> force = Eigen::Matrix<double, max_dofs, 1>::Zero();
+  Eigen::Matrix<double, max_dofs, max_dofs> tangent = Eigen::Matrix<double, max_dofs, max_dofs>::Zero();
 };
 
-template <class Grid>
-CellContribution<Grid> contribution_of(const Body<Grid>& body, int cell, const CellStress<Grid::dim>& start,
-                                       const IncrementalKinematics<Grid::dim>& kinematics) {
-  constexpr int dim = Grid::dim;
-  const typename Grid::Gradients g = kinematics.inverse.transpose() * body.grid.gradients(cell);
-  const CellResponse<Grid> response = respond(body, cell, start, kinematics);
+/// Adds the force f_i = v J sigma g_i of a patch with current gradients g = F^-T (gradients at the start), and its
+/// derivative: d(v J) = v J div(du), d(g_i) = -(grad du)^T g_i.
+template <class Space>
+void add_patch(const Body<Space>& body, const CellGradients<Space>& cell, const Patch<Space>& patch,
+               const IncrementalKinematics<Space::dim>& kinematics, CellContribution<Space>& sum) {
+  constexpr int dim = Space::dim;
+  const typename Space::Stencil::Gradients g = kinematics.inverse.transpose() * patch.gradients;
+  const Response<dim> response = respond(body, patch.points, average_stress_of(body.points, patch.points), kinematics);
   const Tensor<dim>& sigma = response.stress;
-  const double volume = integration_volume(body, start.points_volume) * kinematics.volume_ratio;
-  CellContribution<Grid> result;
-  for (int i = 0; i < Grid::nodes_per_cell; ++i)
-    result.force.template segment<dim>(dim * i) = volume * sigma * g.col(i);
-  for (int j = 0; j < Grid::nodes_per_cell; ++j)
+  const double volume = patch.volume * kinematics.volume_ratio;
+  const typename Space::Stencil::Gradients traction = volume * sigma * g;
+  for (int j = 0; j < cell.n_nodes(); ++j) {
+    sum.force.template segment<dim>(dim * j) += traction.col(j);
     for (int b = 0; b < dim; ++b) {
-      const Tensor<dim>& d_sigma = response.variations[static_cast<std::size_t>(dim * j + b)];
-      for (int i = 0; i < Grid::nodes_per_cell; ++i)
-        result.tangent.template block<dim, 1>(dim * i, dim * j + b) =
-            volume * (d_sigma * g.col(i) + g(b, j) * (sigma * g.col(i)) - g(b, i) * (sigma * g.col(j)));
+      Tensor<dim> d_sigma = g(b, j) * sigma;
+      for (int a = 0; a < dim; ++a)
+        d_sigma += g(a, j) * response.by_gradient[static_cast<std::size_t>(b)][static_cast<std::size_t>(a)];
+      const Tensor<dim> scaled = volume * d_sigma;
+      for (int i = 0; i < cell.n_nodes(); ++i)
+        sum.tangent.template block<dim, 1>(dim * i, dim * j + b) += scaled * g.col(i) - g(b, i) * traction.col(j);
     }
-  return result;
+  }
 }
 
-/// Moves the points with the nodes and deforms them with their cell.
-template <class Grid>
-void move_points(Body<Grid>& body, const Eigen::VectorXd& displacement) {
-  constexpr int dim = Grid::dim;
+/// Moves the points with the nodes and deforms them with their patch.
+template <class Space>
+void move_points(Body<Space>& body, const Eigen::VectorXd& displacement) {
+  constexpr int dim = Space::dim;
   auto& points = body.points;
   for (const int cell : body.cells.occupied) {
-    const auto nodes = body.grid.nodes(cell);
-    const IncrementalKinematics<dim> kinematics(gradient_in(body.grid, cell, displacement));
-    const auto c = static_cast<std::size_t>(cell);
-    for (std::size_t p = body.cells.begin[c]; p < body.cells.begin[c + 1]; ++p) {
-      const auto values = body.grid.values(cell, points.position_of(p));
-      Vector<dim> move = Vector<dim>::Zero();
-      for (std::size_t i = 0; i < nodes.size(); ++i)
-        move += values[i] * displacement.template segment<dim>(dim * nodes[i]);
-      for (int d = 0; d < dim; ++d)
-        points.position[static_cast<std::size_t>(d)][p] += move[d];
-    }
-    deform_points(body, cell, kinematics, StrainMeasure::logarithmic);
+    const CellGradients<Space> cell_gradients(body, cell);
+    cell_gradients.for_each_patch([&](const Patch<Space>& patch) {
+      const auto kinematics = kinematics_of(cell_gradients, patch, displacement);
+      for (std::size_t p = patch.points.first; p < patch.points.last; ++p) {
+        const auto stencil = body.space.stencil(cell, points, p);
+        Vector<dim> move = Vector<dim>::Zero();
+        for (int i = 0; i < stencil.size(); ++i)
+          move += stencil.value(i) * displacement.template segment<dim>(dim * stencil.node(i));
+        for (int d = 0; d < dim; ++d)
+          points.position[static_cast<std::size_t>(d)][p] += move[d];
+      }
+      deform_points(body, patch.points, kinematics, StrainMeasure::logarithmic);
+    });
   }
 }
 
 } // namespace
 
 /// The linear system, kept between increments for its symbolic analysis.
-template <class Grid>
-struct QuasiStaticStep<Grid>::System {
-  static constexpr int dim = Grid::dim;
+template <class Space>
+struct QuasiStaticStep<Space>::System {
+  static constexpr int dim = Space::dim;
 
   Numbering numbering;
   Eigen::SparseLU<Eigen::SparseMatrix<double>> solver;
   std::vector<Eigen::Triplet<double>> triplets;
 
-  void renumber(const Body<Grid>& body) {
+  void renumber(const Body<Space>& body) {
     Numbering fresh = number_unknowns(body);
     analysed_ = analysed_ && fresh == numbering;
     numbering = std::move(fresh);
   }
 
-  /// Internal forces at `displacement`, and the tangent's entries; false if a cell turns inside out.
-  bool assemble(const Body<Grid>& body, const std::vector<CellStress<dim>>& start, const Eigen::VectorXd& displacement,
-                Eigen::VectorXd& internal) {
+  /// Internal forces at `displacement`, and the tangent's entries; false if a point turns inside out.
+  bool assemble(const Body<Space>& body, const Eigen::VectorXd& displacement, Eigen::VectorXd& internal) {
     internal.setZero();
     triplets.clear();
-    for (std::size_t k = 0; k < body.cells.occupied.size(); ++k) {
-      const int cell = body.cells.occupied[k];
-      const IncrementalKinematics<dim> kinematics(gradient_in(body.grid, cell, displacement));
-      if (!(kinematics.volume_ratio > 0.0)) return false;
-      scatter(body.grid.nodes(cell), contribution_of(body, cell, start[k], kinematics), internal);
+    bool sound = true;
+    for (const int cell : body.cells.occupied) {
+      const CellGradients<Space> cell_gradients(body, cell);
+      CellContribution<Space> sum;
+      cell_gradients.for_each_patch([&](const Patch<Space>& patch) {
+        const auto kinematics = kinematics_of(cell_gradients, patch, displacement);
+        sound = sound && kinematics.volume_ratio > 0.0;
+        if (sound) add_patch(body, cell_gradients, patch, kinematics, sum);
+      });
+      if (!sound) return false;
+      scatter(cell_gradients, sum, internal);
     }
     return true;
   }
@@ -159,42 +174,40 @@ struct QuasiStaticStep<Grid>::System {
 private:
   bool analysed_ = false;
 
-  void scatter(const typename Grid::Nodes& nodes, const CellContribution<Grid>& cell, Eigen::VectorXd& internal) {
-    for (int i = 0; i < CellContribution<Grid>::dofs; ++i) {
-      const int dof_i = dim * nodes[static_cast<std::size_t>(i / dim)] + i % dim;
-      internal[dof_i] += cell.force[i];
+  void scatter(const CellGradients<Space>& cell, const CellContribution<Space>& sum, Eigen::VectorXd& internal) {
+    for (int i = 0; i < dim * cell.n_nodes(); ++i) {
+      const int dof_i = dim * cell.node(i / dim) + i % dim;
+      internal[dof_i] += sum.force[i];
       const int row = numbering.equation[static_cast<std::size_t>(dof_i)];
       if (row < 0) continue;
-      for (int j = 0; j < CellContribution<Grid>::dofs; ++j) {
-        const int dof_j = dim * nodes[static_cast<std::size_t>(j / dim)] + j % dim;
+      for (int j = 0; j < dim * cell.n_nodes(); ++j) {
+        const int dof_j = dim * cell.node(j / dim) + j % dim;
         const int column = numbering.equation[static_cast<std::size_t>(dof_j)];
-        if (column >= 0) triplets.emplace_back(row, column, cell.tangent(i, j));
+        if (column >= 0) triplets.emplace_back(row, column, sum.tangent(i, j));
       }
     }
   }
 };
 
-template <class Grid>
-QuasiStaticStep<Grid>::QuasiStaticStep(double tolerance) : system_(std::make_unique<System>()), tolerance_(tolerance) {}
-template <class Grid>
-QuasiStaticStep<Grid>::QuasiStaticStep(QuasiStaticStep&&) noexcept = default;
-template <class Grid>
-QuasiStaticStep<Grid>::~QuasiStaticStep() = default;
+template <class Space>
+QuasiStaticStep<Space>::QuasiStaticStep(double tolerance)
+    : system_(std::make_unique<System>()), tolerance_(tolerance) {}
+template <class Space>
+QuasiStaticStep<Space>::QuasiStaticStep(QuasiStaticStep&&) noexcept = default;
+template <class Space>
+QuasiStaticStep<Space>::~QuasiStaticStep() = default;
 
-template <class Grid>
-IncrementReport QuasiStaticStep<Grid>::advance(Body<Grid>& body, const Gravity& gravity, double fraction) {
+template <class Space>
+IncrementReport QuasiStaticStep<Space>::advance(Body<Space>& body, const Gravity& gravity, double fraction) {
   System& system = *system_;
   system.renumber(body);
-  std::vector<CellStress<Grid::dim>> start;
-  for (const int cell : body.cells.occupied)
-    start.push_back(average_stress_of(body, cell));
   const Eigen::VectorXd external = external_forces(body, gravity);
   const double scale = external.norm();
   Eigen::VectorXd internal(external.size()), displacement = Eigen::VectorXd::Zero(external.size()), target, step;
 
   IncrementReport report;
   for (int iteration = 0; iteration <= max_iterations; ++iteration) {
-    if (!system.assemble(body, start, displacement, internal)) return report;
+    if (!system.assemble(body, displacement, internal)) return report;
     if (iteration == 0) target = internal + fraction * (external - internal);
     const Eigen::VectorXd residual = system.free_part(target - internal);
     report.residuals.push_back(residual.norm() / scale);
@@ -214,6 +227,7 @@ IncrementReport QuasiStaticStep<Grid>::advance(Body<Grid>& body, const Gravity& 
   return report;
 }
 
-template class QuasiStaticStep<TriangleGrid>;
+#define SETTLE_INSTANTIATE(Space) template class QuasiStaticStep<Space>;
+SETTLE_FOR_EVERY_SPACE(SETTLE_INSTANTIATE)
 
 } // namespace settle::mpm

@@ -31,6 +31,29 @@ std::string quoted(Enum value) {
   return fmt::format("\"{}\"", exchange::name_of(value));
 }
 
+void require_known_element(const exchange::Case& study) {
+  using enum exchange::MpmElement;
+  if (study.mpm.element == triangle || study.mpm.element == quadrilateral) return;
+  throw exchange::InputError({.where = study.where("mpm.element"),
+                              .what = "settle-mpm of this version has elements of the plane only",
+                              .given = quoted(study.mpm.element),
+                              .allowed = fmt::format("{} or {}", quoted(triangle), quoted(quadrilateral)),
+                              .remedy = "set mpm.element to one of these"});
+}
+
+/// Triangles take three points, quadrilaterals the square of 1, 2, 3 or 4.
+void require_points_that_fit(const exchange::Case& study) {
+  const int count = study.mpm.points_per_element.value_or(0);
+  const bool triangle = study.mpm.element == exchange::MpmElement::triangle;
+  if (triangle ? count == 3 : count == 1 || count == 4 || count == 9 || count == 16) return;
+  throw exchange::InputError(
+      {.where = study.where("mpm.points_per_element"),
+       .what = fmt::format("an element {} cannot be given this number of points", quoted(study.mpm.element)),
+       .given = std::to_string(count),
+       .allowed = triangle ? "3" : "1, 4, 9 or 16: as many side by side as on top of each other",
+       .remedy = fmt::format("set mpm.points_per_element = {}", triangle ? 3 : 4)});
+}
+
 void require_law_that_fits(const exchange::Case& study) {
   if (study.fill().law == exchange::Law::rate) return;
   const auto refuse = [&](const char* key) {
@@ -48,8 +71,8 @@ void require_law_that_fits(const exchange::Case& study) {
 
 void require_solvable(const exchange::Case& study) {
   require(study, {"geometry.dimension", std::to_string(study.geometry.dimension), "2"});
-  require(study, {"mpm.element", quoted(study.mpm.element), quoted(exchange::MpmElement::triangle)});
-  require(study, {"mpm.points_per_element", std::to_string(*study.mpm.points_per_element), "3"});
+  require_known_element(study);
+  require_points_that_fit(study);
   require(study, {"mpm.basis", quoted(study.mpm.basis), quoted(exchange::Basis::linear)});
   require_law_that_fits(study);
   exchange::count_elements(study, "mpm.element_size", study.mpm.element_size);

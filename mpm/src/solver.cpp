@@ -1,14 +1,23 @@
 #include "settle/mpm/solver.hpp"
 
 #include <chrono>
+#include <type_traits>
 
 #include "construction.hpp"
 #include "settle/mpm/requirements.hpp"
+#include "settle/mpm/spaces.hpp"
 #include "stage_record.hpp"
 
 namespace settle::mpm {
 
 namespace {
+
+/// Calls `action` with the type of the case's space, std::type_identity<Space>.
+template <class Action>
+auto with_space(const exchange::Case& study, Action&& action) {
+  if (study.mpm.element == exchange::MpmElement::triangle) return action(std::type_identity<TriangleSpace>());
+  return action(std::type_identity<QuadrilateralSpace>()); // `require_solvable` lets no other pass
+}
 
 Refill refill_of(const exchange::Case& study, int layer) {
   Refill refill{.rule = {}, .layer = layer};
@@ -18,7 +27,8 @@ Refill refill_of(const exchange::Case& study, int layer) {
   return refill;
 }
 
-StageReport load(const exchange::Case& study, int layer, Body<TriangleGrid>& body) {
+template <class Space>
+StageReport load(const exchange::Case& study, int layer, Body<Space>& body) {
   const StageLoad stage{.layer = layer, .gravity = study.gravity, .refill = refill_of(study, layer)};
   switch (study.mpm.scheme) {
   case exchange::Scheme::quasi_static:
@@ -29,7 +39,8 @@ StageReport load(const exchange::Case& study, int layer, Body<TriangleGrid>& bod
   return load_explicit(body, stage, study.mpm.explicit_dynamic);
 }
 
-void place(const exchange::Case& study, const LayerPlacement& placement, Body<TriangleGrid>& body) {
+template <class Space>
+void place(const exchange::Case& study, const LayerPlacement& placement, Body<Space>& body) {
   place_layer(body, placement);
   body.sort();
   if (study.construction.convention == exchange::Convention::drop && study.mpm.scheme == exchange::Scheme::quasi_static)
@@ -45,7 +56,8 @@ double refilled_mass(const Points<2>& points, int layer) {
 }
 
 /// One stage: place, load, record.
-exchange::Stage build_stage(const exchange::Case& study, int layer, Body<TriangleGrid>& body,
+template <class Space>
+exchange::Stage build_stage(const exchange::Case& study, int layer, Body<Space>& body,
                             std::vector<LayerPlacement>& placements) {
   const auto start = std::chrono::steady_clock::now();
   exchange::Stage stage;
@@ -73,21 +85,25 @@ exchange::Stage build_stage(const exchange::Case& study, int layer, Body<Triangl
 } // namespace
 
 exchange::Used used(const exchange::Case& study) {
-  const Body<TriangleGrid> body = empty_body(study);
-  exchange::Used values = exchange::used_values(study, exchange::Kinematics::finite);
-  values.youngs_modulus = body.lame.youngs_modulus();
-  values.poissons_ratio = body.lame.poissons_ratio();
-  values.density = body.density;
-  values.law = body.law;
-  return values;
+  return with_space(study, [&]<class Space>(std::type_identity<Space>) {
+    const Body<Space> body = empty_body<Space>(study);
+    exchange::Used values = exchange::used_values(study, exchange::Kinematics::finite);
+    values.youngs_modulus = body.lame.youngs_modulus();
+    values.poissons_ratio = body.lame.poissons_ratio();
+    values.density = body.density;
+    values.law = body.law;
+    return values;
+  });
 }
 
 void solve(const exchange::Case& study, const exchange::StageSink& sink) {
   require_solvable(study);
-  Body<TriangleGrid> body = empty_body(study);
-  std::vector<LayerPlacement> placements;
-  for (int layer = 1; layer <= study.construction.layers; ++layer)
-    sink(build_stage(study, layer, body, placements));
+  with_space(study, [&]<class Space>(std::type_identity<Space>) {
+    Body<Space> body = empty_body<Space>(study);
+    std::vector<LayerPlacement> placements;
+    for (int layer = 1; layer <= study.construction.layers; ++layer)
+      sink(build_stage(study, layer, body, placements));
+  });
 }
 
 } // namespace settle::mpm

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include "construction.hpp"
+#include "settle/mpm/spaces.hpp"
+
 namespace settle::mpm {
 
 exchange::SamplePoints sample_points(const Points<2>& points) {
@@ -24,15 +27,19 @@ exchange::SamplePoints sample_points(const Points<2>& points) {
   return samples;
 }
 
-double surface_height(const Body<TriangleGrid>& body, exchange::Convention convention) {
-  if (convention != exchange::Convention::drop) return total_volume(body.points) / body.grid.width();
+template <class Space>
+double surface_height(const Body<Space>& body, exchange::Convention convention) {
+  if (convention != exchange::Convention::drop) return mean_surface(body);
   const auto& heights = body.points.position[1];
   const auto highest =
       static_cast<std::size_t>(std::distance(heights.begin(), std::max_element(heights.begin(), heights.end())));
   double row_volume = 0;
   for (std::size_t p = 0; p < body.points.size(); ++p)
     if (body.points.placed[1][p] == body.points.placed[1][highest]) row_volume += body.points.volume[p];
-  return heights[highest] + 0.5 * row_volume / body.grid.width();
+  return heights[highest] + 0.5 * row_volume / body.space.width();
 }
+
+#define SETTLE_INSTANTIATE(Space) template double surface_height(const Body<Space>&, exchange::Convention);
+SETTLE_FOR_EVERY_SPACE(SETTLE_INSTANTIATE)
 
 } // namespace settle::mpm

@@ -21,6 +21,7 @@ std::map<std::string, exchange::ProbeSamples> sample_probes(const exchange::Case
 
 /// Height of the surface [m]: points' volume over the width; for `drop`, where there may be gaps, the highest point
 /// plus half the height of its row.
-double surface_height(const Body<TriangleGrid>& body, exchange::Convention convention);
+template <class Space>
+double surface_height(const Body<Space>& body, exchange::Convention convention);
 
 } // namespace settle::mpm

@@ -3,9 +3,14 @@
 #pragma once
 
 #include <random>
+#include <string>
+#include <type_traits>
+
+#include <gtest/gtest.h>
 
 #include "settle/mpm/body.hpp"
 #include "settle/mpm/placement.hpp"
+#include "settle/mpm/spaces.hpp"
 
 namespace settle::mpm::test {
 
@@ -20,17 +25,32 @@ struct Block {
 
 inline constexpr double block_density = 1800.0; ///< [kg/m3]
 
-/// E = 400 kPa, nu = 0.25; points at rest and stress-free, sorted.
-Body<TriangleGrid> block(const Block& data = {});
+/// Every space, for typed tests.
+using EverySpace = testing::Types<TriangleSpace, QuadrilateralSpace>;
+
+/// The name of a space in the name of a typed test.
+struct SpaceName {
+  template <class Space>
+  static std::string GetName(int) {
+    return std::is_same_v<Space, TriangleSpace> ? "Triangle" : "Quadrilateral";
+  }
+};
+
+/// E = 400 kPa, nu = 0.25; points at rest and stress-free, sorted: three in a triangle, four in a quadrilateral.
+template <class Space = TriangleSpace>
+Body<Space> block(const Block& data = {});
 
 /// Moves every point at random by up to `share` of a square, without leaving the grid or the filled height, and sorts.
-void scatter_positions(Body<TriangleGrid>& body, std::mt19937& random, double share);
+template <class Space>
+void scatter_positions(Body<Space>& body, std::mt19937& random, double share);
 
 /// Gives every point a random velocity, each component in [-1, 1] m/s.
-void randomize_velocities(Body<TriangleGrid>& body, std::mt19937& random);
+template <class Space>
+void randomize_velocities(Body<Space>& body, std::mt19937& random);
 
 /// Gives every point random stresses, each component in [-1, 1] kPa.
-void randomize_stresses(Body<TriangleGrid>& body, std::mt19937& random);
+template <class Space>
+void randomize_stresses(Body<Space>& body, std::mt19937& random);
 
 /// Momentum of all points [kg m/s per m].
 Vector<2> total_momentum(const Points<2>& points);

@@ -11,7 +11,7 @@
 namespace settle::mpm::test {
 namespace {
 
-Body<TriangleGrid> stressed_block() {
+Body<TriangleSpace> stressed_block() {
   std::mt19937 random(31);
   auto body = block();
   scatter_positions(body, random, 0.2);
@@ -55,7 +55,7 @@ TEST(CellAverage, TakenTwiceIsTheSame) {
 
 TEST(CellAverage, ActsOverTheFullCellOrOverThePointsVolume) {
   auto body = block();
-  EXPECT_EQ(integration_volume(body, 0.01), body.grid.cell_volume());
+  EXPECT_EQ(integration_volume(body, 0.01), body.space.cell_volume());
   body.integration = StressIntegration::points;
   EXPECT_EQ(integration_volume(body, 0.01), 0.01);
 }
@@ -71,7 +71,7 @@ TEST(CellAverage, IsTakenAfterEveryQuasiStaticIncrementIfTheBodyAsksForIt) {
   for (const bool asked : {true, false}) {
     auto body = stressed_block();
     body.average_stress = asked;
-    ASSERT_TRUE(QuasiStaticStep<TriangleGrid>(1e-9).advance(body, {}).converged);
+    ASSERT_TRUE(QuasiStaticStep<TriangleSpace>(1e-9).advance(body, {}).converged);
     EXPECT_EQ(is_uniform_in_cells(body.points), asked);
   }
 }
@@ -80,7 +80,7 @@ TEST(CellAverage, IsTakenAfterEveryExplicitStepIfTheBodyAsksForIt) {
   for (const bool asked : {true, false}) {
     auto body = stressed_block();
     body.average_stress = asked;
-    Nodes<2> nodes(static_cast<std::size_t>(body.grid.n_nodes()));
+    Nodes<2> nodes(static_cast<std::size_t>(body.space.n_nodes()));
     scatter_points(body, {}, nodes);
     update_nodes(body, 0.75, nodes);
     update_velocity_and_remap(body, 1e-3, nodes);
@@ -90,7 +90,7 @@ TEST(CellAverage, IsTakenAfterEveryExplicitStepIfTheBodyAsksForIt) {
 }
 
 TEST(Supports, AreRollersOnBothSidesAndTheBase) {
-  const TriangleGrid grid(3, 4, 0.5);
+  const TriangleSpace grid({.columns = 3, .rows = 4, .size = 0.5});
   const auto fixed = oedometer_supports(grid);
   for (int n = 0; n < grid.n_nodes(); ++n) {
     const auto x = grid.node_position(n);

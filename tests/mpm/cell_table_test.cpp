@@ -30,7 +30,7 @@ Contents contents(const Points<2>& points) {
 }
 
 /// A block whose points all differ in every array, with points in cells they are not sorted into.
-Body<TriangleGrid> mixed_block() {
+Body<TriangleSpace> mixed_block() {
   std::mt19937 random(5);
   auto body = block();
   randomize_velocities(body, random);
@@ -42,7 +42,7 @@ Body<TriangleGrid> mixed_block() {
     body.points.layer[p] = static_cast<std::int32_t>(p % 3);
     body.points.refilled[p] = p % 2 == 0 ? 1 : 0;
   }
-  std::uniform_real_distribution<double> x(0.0, body.grid.width()), y(0.0, body.grid.rows() * body.grid.size());
+  std::uniform_real_distribution<double> x(0.0, body.space.width()), y(0.0, body.space.rows() * body.space.size());
   for (std::size_t p = 0; p < body.points.size(); ++p) {
     body.points.position[0][p] = x(random);
     body.points.position[1][p] = y(random);
@@ -55,17 +55,17 @@ TEST(SortByCell, PutsThePointsOfEveryCellIntoItsRange) {
   body.sort();
   const auto& [begin, occupied] = body.cells;
   EXPECT_TRUE(std::is_sorted(body.points.cell.begin(), body.points.cell.end()));
-  ASSERT_EQ(begin.size(), static_cast<std::size_t>(body.grid.n_cells()) + 1);
+  ASSERT_EQ(begin.size(), static_cast<std::size_t>(body.space.n_cells()) + 1);
   EXPECT_EQ(begin.front(), 0U);
   EXPECT_EQ(begin.back(), body.points.size());
-  for (int cell = 0; cell < body.grid.n_cells(); ++cell) {
+  for (int cell = 0; cell < body.space.n_cells(); ++cell) {
     const auto c = static_cast<std::size_t>(cell);
     EXPECT_EQ(begin[c + 1] - begin[c], std::count(body.points.cell.begin(), body.points.cell.end(), cell));
     EXPECT_EQ(std::binary_search(occupied.begin(), occupied.end(), cell), begin[c + 1] > begin[c]);
     EXPECT_EQ(body.cells.is_empty(cell), begin[c + 1] == begin[c]);
   }
   for (std::size_t p = 0; p < body.points.size(); ++p)
-    EXPECT_EQ(body.points.cell[p], body.grid.locate(body.points.position_of(p)));
+    EXPECT_EQ(body.points.cell[p], body.space.locate(body.points.position_of(p)));
 }
 
 TEST(SortByCell, CarriesEveryArrayWithItsPointAndLosesNothing) {
@@ -94,8 +94,8 @@ TEST(SortByCell, LeavesPointsThatCrossNoCellBoundaryWhereTheyAre) {
   const auto begin = body.cells.begin;
   for (std::size_t p = 0; p < body.points.size(); ++p) { // towards the middle of its cell: crosses nothing
     Vector<2> middle = Vector<2>::Zero();
-    for (const int node : body.grid.nodes(body.points.cell[p]))
-      middle += body.grid.node_position(node) / 3.0;
+    for (const int node : body.space.nodes(body.points.cell[p]))
+      middle += body.space.node_position(node) / 3.0;
     for (std::size_t d = 0; d < 2; ++d)
       body.points.position[d][p] = 0.5 * (body.points.position[d][p] + middle[static_cast<int>(d)]);
   }

@@ -11,7 +11,7 @@ namespace settle::mpm::test {
 namespace {
 
 /// 3 x 3 squares of points in the middle of a grid of 9 x 9, off its lines.
-Body<TriangleGrid> floating_block(exchange::Law law) {
+Body<TriangleSpace> floating_block(exchange::Law law) {
   const auto source = block();
   auto body = block({.columns = 9, .rows = 9, .filled_rows = 1, .supported = false});
   body.law = law;
@@ -26,14 +26,14 @@ Body<TriangleGrid> floating_block(exchange::Law law) {
 }
 
 /// Every x moves to x + g (x - middle) in the step.
-void step(Body<TriangleGrid>& body, const Tensor<2>& g) {
+void step(Body<TriangleSpace>& body, const Tensor<2>& g) {
   const double dt = 0.01, mass = 3.0;
   const Vector<2> middle(2.25, 2.25);
-  Nodes<2> nodes(static_cast<std::size_t>(body.grid.n_nodes()));
-  for (int n = 0; n < body.grid.n_nodes(); ++n) {
+  Nodes<2> nodes(static_cast<std::size_t>(body.space.n_nodes()));
+  for (int n = 0; n < body.space.n_nodes(); ++n) {
     auto& node = nodes[static_cast<std::size_t>(n)];
     node.mass = mass;
-    node.remapped = mass / dt * g * (body.grid.node_position(n) - middle);
+    node.remapped = mass / dt * g * (body.space.node_position(n) - middle);
   }
   update_stress_and_move(body, {}, dt, nodes);
 }

@@ -13,9 +13,9 @@ namespace settle::mpm::test {
 namespace {
 
 /// A block of 3 x 3 squares in the middle of a grid of 9 x 9, off the grid's lines, touching nothing.
-Body<TriangleGrid> floating_block() {
+Body<TriangleSpace> floating_block() {
   const auto source = block();
-  Body<TriangleGrid> body = block({.columns = 9, .rows = 9, .filled_rows = 1, .supported = false});
+  Body<TriangleSpace> body = block({.columns = 9, .rows = 9, .filled_rows = 1, .supported = false});
   body.points = {};
   for (std::size_t p = 0; p < source.points.size(); ++p)
     body.points.add({.position = source.points.position_of(p) + Vector<2>(1.53, 1.61),
@@ -25,13 +25,13 @@ Body<TriangleGrid> floating_block() {
   return body;
 }
 
-void set_velocity(Body<TriangleGrid>& body, const Vector<2>& velocity) {
+void set_velocity(Body<TriangleSpace>& body, const Vector<2>& velocity) {
   for (std::size_t d = 0; d < 2; ++d)
     std::fill(body.points.velocity[d].begin(), body.points.velocity[d].end(), velocity[static_cast<int>(d)]);
 }
 
-StepEnergy advance(Body<TriangleGrid>& body, const Gravity& gravity, double dt, double damping = 0.0) {
-  Nodes<2> nodes(static_cast<std::size_t>(body.grid.n_nodes()));
+StepEnergy advance(Body<TriangleSpace>& body, const Gravity& gravity, double dt, double damping = 0.0) {
+  Nodes<2> nodes(static_cast<std::size_t>(body.space.n_nodes()));
   scatter_points(body, gravity, nodes);
   update_nodes(body, damping, nodes);
   update_velocity_and_remap(body, dt, nodes);
@@ -106,11 +106,11 @@ TEST(ExplicitMotion, ALinearVelocityFieldMovesStrainsAndDilatesEveryPointExactly
   Tensor<2> g; // velocity gradient times the step
   g << 0.05, -0.02, 0.03, -0.08;
   const double dt = 0.01;
-  Nodes<2> nodes(static_cast<std::size_t>(body.grid.n_nodes()));
-  for (int n = 0; n < body.grid.n_nodes(); ++n) {
+  Nodes<2> nodes(static_cast<std::size_t>(body.space.n_nodes()));
+  for (int n = 0; n < body.space.n_nodes(); ++n) {
     auto& node = nodes[static_cast<std::size_t>(n)];
     node.mass = 3.0;
-    node.remapped = 3.0 / dt * g * body.grid.node_position(n);
+    node.remapped = 3.0 / dt * g * body.space.node_position(n);
   }
   update_stress_and_move(body, {}, dt, nodes);
 

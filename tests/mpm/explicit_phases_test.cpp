@@ -13,7 +13,7 @@ namespace settle::mpm::test {
 namespace {
 
 struct Scattered {
-  Body<TriangleGrid> body;
+  Body<TriangleSpace> body;
   Nodes<2> nodes;
 };
 
@@ -23,7 +23,7 @@ Scattered scattered(bool supported, double g = 9.81) {
   scatter_positions(state.body, random, 0.2);
   randomize_velocities(state.body, random);
   randomize_stresses(state.body, random);
-  state.nodes.resize(static_cast<std::size_t>(state.body.grid.n_nodes()));
+  state.nodes.resize(static_cast<std::size_t>(state.body.space.n_nodes()));
   scatter_points(state.body, {.acceleration = g}, state.nodes);
   return state;
 }
@@ -66,8 +66,8 @@ TEST(ScatterPoints, InternalForceDoesTheWorkOfTheCellsStressOverTheirFullArea) {
   const auto [body, nodes] = scattered(false);
   const auto field = [](const Vector<2>& x) { return Vector<2>(0.3 * x[0] - 0.2 * x[1], 0.7 * x[0] + 0.4 * x[1]); };
   double nodal = 0, expected = 0;
-  for (int n = 0; n < body.grid.n_nodes(); ++n)
-    nodal += nodes[static_cast<std::size_t>(n)].internal.dot(field(body.grid.node_position(n)));
+  for (int n = 0; n < body.space.n_nodes(); ++n)
+    nodal += nodes[static_cast<std::size_t>(n)].internal.dot(field(body.space.node_position(n)));
   for (const int cell : body.cells.occupied) { // area * sigma : sym(gradient of the field), averages taken by hand
     double volume = 0, xx = 0, yy = 0, xy = 0;
     for (std::size_t p = 0; p < body.points.size(); ++p) {
@@ -146,7 +146,7 @@ TEST(UpdateStressAndMove, NothingMovesThroughAFrictionlessSupport) {
   const auto lowest_and_outermost = [&body = body] {
     const auto& [x, y] = body.points.position;
     const auto [left, right] = std::minmax_element(x.begin(), x.end());
-    return std::array{*left, body.grid.width() - *right, *std::min_element(y.begin(), y.end())};
+    return std::array{*left, body.space.width() - *right, *std::min_element(y.begin(), y.end())};
   };
   for (int k = 0; k < 200; ++k) {
     const double dt = stable_time_step(body, 0.5);
@@ -157,7 +157,7 @@ TEST(UpdateStressAndMove, NothingMovesThroughAFrictionlessSupport) {
     for (const double distance : lowest_and_outermost())
       ASSERT_GT(distance, 0.0) << "step " << k;
   }
-  for (int n = 0; n < body.grid.n_nodes(); ++n)
+  for (int n = 0; n < body.space.n_nodes(); ++n)
     for (int d = 0; d < 2; ++d)
       if (body.fixed[static_cast<std::size_t>(n)][static_cast<std::size_t>(d)]) {
         EXPECT_EQ(nodes[static_cast<std::size_t>(n)].acceleration[d], 0.0);

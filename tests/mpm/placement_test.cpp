@@ -110,14 +110,14 @@ TEST(Placement, ARefilledCellGetsTheInitialPointsOfThatCellMarkedAsRefilled) {
     EXPECT_EQ(body.points.cell[p], cell);
     EXPECT_EQ(body.points.layer[p], 7);
     EXPECT_EQ(body.points.refilled[p], 1);
-    EXPECT_NEAR(body.points.volume[p], body.grid.cell_volume() / 3.0, 1e-15);
+    EXPECT_NEAR(body.points.volume[p], body.space.cell_volume() / 3.0, 1e-15);
     EXPECT_NEAR(body.points.density(p), block_density, 1e-9);
   }
 }
 
 TEST(Placement, ARefilledRowFillsItsHeightAcrossOneColumnOfSquares) {
   auto body = block({.columns = 2, .rows = 2, .filled_rows = 1, .size = 0.6});
-  EXPECT_NEAR(refill_row_height(body.grid), 0.1, 1e-15);
+  EXPECT_NEAR(refill_row_height(body), 0.1, 1e-15);
   const auto before = body.points.size();
   refill_row(body, {.layer = 3, .column = 1, .top = 0.7, .height = 0.08});
   ASSERT_EQ(body.points.size(), before + 2);

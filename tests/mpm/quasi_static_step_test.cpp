@@ -14,7 +14,7 @@ namespace {
 constexpr double tolerance = 1e-10;
 
 /// Points off their initial places, each with a stress of its own: nothing is symmetric, every cell differs.
-Body<TriangleGrid> distorted_block(StressIntegration integration) {
+Body<TriangleSpace> distorted_block(StressIntegration integration) {
   std::mt19937 random(11);
   auto body = block({.columns = 3, .rows = 5, .filled_rows = 4});
   body.integration = integration;
@@ -36,22 +36,22 @@ void expect_quadratic(const std::vector<double>& residuals) {
 
 TEST(QuasiStaticStep, NewtonConvergesQuadraticallyUnderLargeStrainOverFullCells) {
   auto body = distorted_block(StressIntegration::full_cells);
-  const auto report = QuasiStaticStep<TriangleGrid>(tolerance).advance(body, {.acceleration = 40.0});
+  const auto report = QuasiStaticStep<TriangleSpace>(tolerance).advance(body, {.acceleration = 40.0});
   EXPECT_TRUE(report.converged);
-  EXPECT_GT(report.largest_displacement, 0.2 * body.grid.size());
+  EXPECT_GT(report.largest_displacement, 0.2 * body.space.size());
   expect_quadratic(report.residuals);
 }
 
 TEST(QuasiStaticStep, NewtonConvergesQuadraticallyUnderLargeStrainOverThePointsVolumes) {
   auto body = distorted_block(StressIntegration::points);
-  const auto report = QuasiStaticStep<TriangleGrid>(tolerance).advance(body, {.acceleration = 40.0});
+  const auto report = QuasiStaticStep<TriangleSpace>(tolerance).advance(body, {.acceleration = 40.0});
   EXPECT_TRUE(report.converged);
   expect_quadratic(report.residuals);
 }
 
 TEST(QuasiStaticStep, ReportsOneResidualMoreThanLinearSolvesAndTheLastBelowTheTolerance) {
   auto body = block();
-  const auto report = QuasiStaticStep<TriangleGrid>(tolerance).advance(body, {});
+  const auto report = QuasiStaticStep<TriangleSpace>(tolerance).advance(body, {});
   EXPECT_EQ(report.residuals.size(), static_cast<std::size_t>(report.linear_solves) + 1);
   EXPECT_EQ(report.out_of_balance, report.residuals.back());
   EXPECT_LE(report.out_of_balance, tolerance);
@@ -59,7 +59,7 @@ TEST(QuasiStaticStep, ReportsOneResidualMoreThanLinearSolvesAndTheLastBelowTheTo
 
 /// A square that carries the same load at both upper nodes: masses of two points are chosen for that, the others have
 /// none. The load at each node is 8/9 of `mass` times g.
-Body<TriangleGrid> evenly_loaded_square(double mass) {
+Body<TriangleSpace> evenly_loaded_square(double mass) {
   auto body = block({.columns = 1, .rows = 2, .filled_rows = 1, .size = 1.0});
   for (std::size_t p = 0; p < body.points.size(); ++p) {
     const Vector<2> x = body.points.position_of(p);
@@ -73,7 +73,7 @@ Body<TriangleGrid> evenly_loaded_square(double mass) {
 TEST(QuasiStaticStep, UniformConfinedCompressionIsThatOfItsClosedForm) {
   const double mass = 6000.0, g = 9.81;
   auto body = evenly_loaded_square(mass);
-  const auto report = QuasiStaticStep<TriangleGrid>(tolerance).advance(body, {.acceleration = g});
+  const auto report = QuasiStaticStep<TriangleSpace>(tolerance).advance(body, {.acceleration = g});
   ASSERT_TRUE(report.converged);
 
   const double pressure = 2.0 * 8.0 / 9.0 * mass * g;                // two nodes over a side of 1 m
@@ -94,13 +94,13 @@ TEST(QuasiStaticStep, UniformConfinedCompressionIsThatOfItsClosedForm) {
 
 TEST(QuasiStaticStep, BaseCarriesTheWeightOfADistortedBody) {
   auto body = distorted_block(StressIntegration::full_cells);
-  const auto report = QuasiStaticStep<TriangleGrid>(tolerance).advance(body, {.acceleration = 9.81});
+  const auto report = QuasiStaticStep<TriangleSpace>(tolerance).advance(body, {.acceleration = 9.81});
   EXPECT_NEAR(report.base_reaction / (9.81 * total_mass(body.points)), 1.0, 1e-9);
 }
 
 TEST(QuasiStaticStep, TheSameLoadOnceMoreMovesAStationaryBodyOnlyByWhatItsPointsHaveMovedWithinTheirCells) {
   auto body = block();
-  QuasiStaticStep<TriangleGrid> step(tolerance);
+  QuasiStaticStep<TriangleSpace> step(tolerance);
   const auto first = step.advance(body, {});
   const auto second = step.advance(body, {});
   EXPECT_TRUE(second.converged);
@@ -108,7 +108,7 @@ TEST(QuasiStaticStep, TheSameLoadOnceMoreMovesAStationaryBodyOnlyByWhatItsPoints
 }
 
 TEST(QuasiStaticStep, AFractionBalancesThatShareOfWhatIsOutOfBalance) {
-  QuasiStaticStep<TriangleGrid> step(tolerance);
+  QuasiStaticStep<TriangleSpace> step(tolerance);
   const double gentle = 1e-3; // [m/s2], small enough to be linear
   auto whole = block();
   step.advance(whole, {.acceleration = gentle});
@@ -123,7 +123,7 @@ TEST(QuasiStaticStep, AFractionBalancesThatShareOfWhatIsOutOfBalance) {
 TEST(QuasiStaticStep, ABodyThatCannotBeBalancedIsLeftAsItWas) {
   auto body = distorted_block(StressIntegration::full_cells);
   const auto before = body.points;
-  const auto report = QuasiStaticStep<TriangleGrid>(tolerance).advance(body, {.acceleration = 1e5});
+  const auto report = QuasiStaticStep<TriangleSpace>(tolerance).advance(body, {.acceleration = 1e5});
   EXPECT_FALSE(report.converged);
   EXPECT_FALSE(report.residuals.empty());
   EXPECT_EQ(body.points.position, before.position);

@@ -16,7 +16,7 @@ using exchange::RefillRule;
 constexpr double row = 0.5 / 6.0; ///< height of a full refilled row [m]
 
 /// Three squares high, up to 1.5 m.
-Body<TriangleGrid> body_below_gap(int columns = 1) {
+Body<TriangleSpace> body_below_gap(int columns = 1) {
   return block({.columns = columns, .rows = 6, .filled_rows = 3});
 }
 
@@ -24,8 +24,8 @@ Refill refill_to(double level, RefillRule rule = RefillRule::sub_element) {
   return {.rule = rule, .layer = 4, .lower_level = 1.0, .design_level = level};
 }
 
-double mean_height(const Body<TriangleGrid>& body) {
-  return total_volume(body.points) / body.grid.width();
+double mean_height(const Body<TriangleSpace>& body) {
+  return total_volume(body.points) / body.space.width();
 }
 
 TEST(RefillWhereDue, AddsARowAsSoonAsTheGapExceedsHalfItsHeightAndNotBefore) {
@@ -65,11 +65,11 @@ TEST(RefillWhereDue, SettlesOnceAndAddsNothingTheSecondTime) {
 TEST(RefillWhereDue, FillsOnlyTheColumnsOfSquaresThatHaveSettled) {
   auto body = body_below_gap(3);
   for (std::size_t p = 0; p < body.points.size(); ++p)
-    if (body.grid.column_of(body.points.cell[p]) == 1) body.points.volume[p] *= 0.9; // 1.35 m: 1.8 rows short
+    if (body.space.column_of(body.points.cell[p]) == 1) body.points.volume[p] *= 0.9; // 1.35 m: 1.8 rows short
   EXPECT_EQ(refill_where_due(body, refill_to(1.5)), 4);
   for (std::size_t p = 0; p < body.points.size(); ++p)
     if (body.points.refilled[p] != 0) {
-      EXPECT_EQ(body.grid.column_of(body.points.cell[p]), 1);
+      EXPECT_EQ(body.space.column_of(body.points.cell[p]), 1);
     }
 }
 
@@ -87,7 +87,7 @@ TEST(RefillWhereDue, StacksItsRowsDownwardsFromTheDesignLevel) {
 TEST(CloseGap, ClosesEveryColumnExactly) {
   auto body = body_below_gap(3);
   for (std::size_t p = 0; p < body.points.size(); ++p) // 0.3, 0.6 and 0.9 times a row and whole rows short
-    body.points.volume[p] *= 1.0 - row * 1.3 * (1 + body.grid.column_of(body.points.cell[p])) / 1.5;
+    body.points.volume[p] *= 1.0 - row * 1.3 * (1 + body.space.column_of(body.points.cell[p])) / 1.5;
   EXPECT_GT(close_gap(body, refill_to(1.5)), 0);
   for (const double height : column_heights(body))
     EXPECT_NEAR(height, 1.5, 1e-13);
@@ -129,12 +129,12 @@ TEST(Refill, AddsTheMassOfTheVolumeItFillsAtTheDensityAsPlaced) {
   const double mass = total_mass(body.points), volume = total_volume(body.points);
   const int added = close_gap(body, refill_to(1.5 + 1.7 * row));
   EXPECT_EQ(added, 8); // a whole and a partial row in both columns, two points each
-  EXPECT_NEAR(total_volume(body.points) - volume, 1.7 * row * body.grid.width(), 1e-13);
-  EXPECT_NEAR((total_mass(body.points) - mass) / (block_density * 1.7 * row * body.grid.width()), 1.0, 1e-11);
+  EXPECT_NEAR(total_volume(body.points) - volume, 1.7 * row * body.space.width(), 1e-13);
+  EXPECT_NEAR((total_mass(body.points) - mass) / (block_density * 1.7 * row * body.space.width()), 1.0, 1e-11);
 }
 
 /// Compressed until only the lower left triangles of the top row of squares still hold points.
-Body<TriangleGrid> body_with_empty_cells() {
+Body<TriangleSpace> body_with_empty_cells() {
   auto body = body_below_gap(2);
   for (double& y : body.points.position[1])
     y *= 0.72;
@@ -146,7 +146,7 @@ TEST(RefillByElement, FillsEveryEmptyCellOfTheLayerAndNoOther) {
   auto body = body_with_empty_cells();
   const auto empty_in = [&body](int first_row, int last_row) {
     int empty = 0;
-    for (int cell = 2 * body.grid.columns() * first_row; cell < 2 * body.grid.columns() * last_row; ++cell)
+    for (int cell = 2 * body.space.columns() * first_row; cell < 2 * body.space.columns() * last_row; ++cell)
       empty += body.cells.is_empty(cell) ? 1 : 0;
     return empty;
   };

@@ -28,9 +28,18 @@ TEST(Requirements, ThePapersColumnCanBeRun) {
 
 TEST(Requirements, NamesTheKeyItsPlaceAndTheValueThatCanBeRun) {
   expect_refused({"geometry.dimension=3"}, "--set geometry.dimension=3", "set geometry.dimension = 2");
-  expect_refused({"mpm.element=quadrilateral"}, "--set mpm.element=quadrilateral", "set mpm.element = \"triangle\"");
-  expect_refused({"mpm.points_per_element=4"}, "--set mpm.points_per_element=4", "set mpm.points_per_element = 3");
+  expect_refused({"mpm.element=tetrahedron"}, "--set mpm.element=tetrahedron", "\"triangle\" or \"quadrilateral\"");
   expect_refused({"mpm.basis=gimp"}, "--set mpm.basis=gimp", "set mpm.basis = \"linear\"");
+}
+
+TEST(Requirements, ATriangleTakesThreePointsAndAQuadrilateralASquareOfThem) {
+  expect_refused({"mpm.points_per_element=4"}, "--set mpm.points_per_element=4", "set mpm.points_per_element = 3");
+  for (const char* count : {"1", "4", "9", "16"})
+    EXPECT_NO_THROW(
+        require_solvable(paper_column({"mpm.element=quadrilateral", std::string("mpm.points_per_element=") + count})));
+  for (const char* count : {"2", "3", "8", "25"})
+    expect_refused({std::string("mpm.points_per_element=") + count, "mpm.element=quadrilateral"},
+                   std::string("--set mpm.points_per_element=") + count, "1, 4, 9 or 16");
 }
 
 TEST(Requirements, OptionsOfTheLawRateAreRefusedForHyperelasticLaws) {

@@ -13,7 +13,7 @@ namespace {
 
 /// Two layers of 1 m in squares of 0.25 m, each with linear fields of its own.
 struct TwoLayers {
-  Body<TriangleGrid> body = block({.columns = 1, .rows = 9, .filled_rows = 4, .size = 0.25});
+  Body<TriangleSpace> body = block({.columns = 1, .rows = 9, .filled_rows = 4, .size = 0.25});
   std::vector<LayerPlacement> placements{{.layer = 1, .base = 0.0, .thickness = 1.0},
                                          {.layer = 2, .base = 0.93, .thickness = 1.0}};
 

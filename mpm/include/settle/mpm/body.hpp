@@ -1,5 +1,5 @@
 /// \file
-/// The body under construction: its background grid, its points, its supports.
+/// The body under construction: its background space, its points, its supports.
 #pragma once
 
 #include <vector>
@@ -7,7 +7,7 @@
 #include "settle/exchange/case.hpp"
 #include "settle/mpm/cell_table.hpp"
 #include "settle/mpm/elasticity.hpp"
-#include "settle/mpm/triangle_grid.hpp"
+#include "settle/mpm/point_layout.hpp"
 
 namespace settle::mpm {
 
@@ -22,17 +22,18 @@ struct Gravity {
 
 /// How the internal force is integrated (docs/mpm.md).
 enum class StressIntegration {
-  full_cells, ///< mixed: the volume-averaged stress over the full volume of every occupied cell
+  full_cells, ///< mixed: the points of every occupied cell share its full volume
   points      ///< the points' stresses over the points' volumes
 };
 
 /// Everything that moves. Changed only at the end of an increment or step, and by placing points.
-template <class Grid>
+template <class Space>
 struct Body {
-  static constexpr int dim = Grid::dim;
+  static constexpr int dim = Space::dim;
 
-  Grid grid;
+  Space space;
   Points<dim> points;
+  PointLayout layout; ///< how points are placed
   CellTable cells;
   std::vector<PerAxis<bool, dim>> fixed; ///< per node and direction: displacement prevented
   Lame lame;
@@ -43,31 +44,59 @@ struct Body {
   bool jaumann = false;                    ///< law `rate`: rotate the stress with the material (Jaumann rate)
 
   /// Sorts points into cells; to be called after points have moved or were added. Throws PointLost.
-  void sort() { sort_by_cell(grid, points, cells); }
+  void sort() { sort_by_cell(space, points, cells); }
 };
 
-/// The volume-averaged stress of a cell's points and their volume [m3/m].
+/// A range of the sorted points.
+struct PointRange {
+  std::size_t first = 0, last = 0; ///< first ... last - 1
+};
+template <class Space>
+PointRange points_in(const Body<Space>& body, int cell) {
+  const auto c = static_cast<std::size_t>(cell);
+  return {body.cells.begin[c], body.cells.begin[c + 1]};
+}
+
+/// The volume-averaged stress of some points and their volume [m3/m].
 template <int dim>
-struct CellStress {
+struct AverageStress {
   Stress<dim> average;
   double points_volume = 0;
 };
 
-template <class Grid>
-CellStress<Grid::dim> average_stress_of(const Body<Grid>& body, int cell);
+template <int dim>
+AverageStress<dim> average_stress_of(const Points<dim>& points, PointRange range) {
+  static_assert(dim == 2, "the component order below is that of plane strain");
+  double volume = 0, xx = 0, yy = 0, zz = 0, xy = 0;
+  for (std::size_t p = range.first; p < range.last; ++p) {
+    const double v = points.volume[p];
+    volume += v;
+    xx += v * points.stress[0][p];
+    yy += v * points.stress[1][p];
+    zz += v * points.stress[2][p];
+    xy += v * points.stress[3][p];
+  }
+  AverageStress<2> result;
+  result.points_volume = volume;
+  result.average.tensor << xx, xy, xy, yy;
+  result.average.tensor /= volume;
+  result.average.out_of_plane = zz / volume;
+  return result;
+}
 
-/// The volume over which a cell's average stress acts, its points' volume given [m3/m].
-template <class Grid>
-double integration_volume(const Body<Grid>& body, double points_volume) {
-  return body.integration == StressIntegration::full_cells ? body.grid.cell_volume() : points_volume;
+/// The volume over which the stress of a cell acts, its points' volume given [m3/m].
+template <class Space>
+double integration_volume(const Body<Space>& body, double points_volume) {
+  return body.integration == StressIntegration::full_cells ? body.space.cell_volume() : points_volume;
 }
 
 /// Replaces the stresses of every cell's points by their volume average.
-template <class Grid>
-void replace_stress_by_cell_average(Body<Grid>& body);
+template <class Space>
+void replace_stress_by_cell_average(Body<Space>& body);
 
 /// Rollers on both sides and the base: the oedometer.
-std::vector<std::array<bool, 2>> oedometer_supports(const TriangleGrid& grid);
+template <class Space>
+std::vector<PerAxis<bool, Space::dim>> oedometer_supports(const Space& space);
 
 /// Sum of all points' masses [kg/m] and of all points' volumes [m3/m] in 2-D.
 template <int dim>

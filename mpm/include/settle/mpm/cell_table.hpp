@@ -14,15 +14,16 @@ struct CellTable {
   std::vector<std::uint32_t> begin;   ///< (cells + 1): the points of cell c are begin[c] ... begin[c + 1] - 1
   std::vector<std::int32_t> occupied; ///< cells with at least one point, in ascending order
 
-  [[nodiscard]] bool is_empty(int cell) const {
-    const auto c = static_cast<std::size_t>(cell);
-    return begin[c] == begin[c + 1];
+  /// In any of the cells first ... last - 1?
+  [[nodiscard]] bool has_points(int first, int last) const {
+    return begin[static_cast<std::size_t>(first)] != begin[static_cast<std::size_t>(last)];
   }
+  [[nodiscard]] bool is_empty(int cell) const { return !has_points(cell, cell + 1); }
 };
 
 /// Finds the cell of every point and, where a point is new or has changed its cell, sorts the points by cell (counting
 /// sort, stable: the same points give the same order). Throws PointLost.
-template <class Grid>
-void sort_by_cell(const Grid& grid, Points<Grid::dim>& points, CellTable& table);
+template <class Space>
+void sort_by_cell(const Space& space, Points<Space::dim>& points, CellTable& table);
 
 } // namespace settle::mpm

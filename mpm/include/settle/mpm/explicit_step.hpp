@@ -18,6 +18,7 @@ struct NodeState {
   Vector<dim> internal = Vector<dim>::Zero();     ///< force, sum of sigma grad N V [N/m]
   Vector<dim> acceleration = Vector<dim>::Zero(); ///< [m/s2]
   Vector<dim> remapped = Vector<dim>::Zero();     ///< momentum from the updated points [kg m/s per m]
+  Vector<dim> displacement = Vector<dim>::Zero(); ///< in the step, from the remapped momentum [m]
 };
 
 /// Nodes by their index in the grid.
@@ -31,24 +32,24 @@ struct ForceSums {
   double base_reaction = 0; ///< positive upward [N/m]
 };
 
-/// Stable step [s]: `courant` times the shortest altitude over the fastest wave, sqrt(M / density). The density is that
-/// of the lightest cell, its points' mass over the volume its stress acts on: a cell that is stiff in full but filled
-/// in part has a faster wave than the material.
-template <class Grid>
-double stable_time_step(const Body<Grid>& body, double courant);
+/// Stable step [s]: `courant` times the shortest length of the space over the fastest wave, sqrt(M / density). The
+/// density is that of the lightest cell, its points' mass over the volume its stress acts on: a cell that is stiff in
+/// full but filled in part has a faster wave than the material.
+template <class Space>
+double stable_time_step(const Body<Space>& body, double courant);
 
 /// Lumps mass, momentum, weight and internal force of all points to the nodes, which are cleared first.
-template <class Grid>
-void scatter_points(const Body<Grid>& body, const Gravity& gravity, Nodes<Grid::dim>& nodes);
+template <class Space>
+void scatter_points(const Body<Space>& body, const Gravity& gravity, Nodes<Space::dim>& nodes);
 
 /// Acceleration of every node with mass: (F_unbalanced + F_damping) / m, with local damping
 /// F_damping = -damping |F_unbalanced| sign(velocity) by component; zero where a support holds.
-template <class Grid>
-ForceSums update_nodes(const Body<Grid>& body, double damping, Nodes<Grid::dim>& nodes);
+template <class Space>
+ForceSums update_nodes(const Body<Space>& body, double damping, Nodes<Space::dim>& nodes);
 
 /// Points' velocities from the nodes' accelerations, and their momentum mapped back to the nodes.
-template <class Grid>
-void update_velocity_and_remap(Body<Grid>& body, double dt, Nodes<Grid::dim>& nodes);
+template <class Space>
+void update_velocity_and_remap(Body<Space>& body, double dt, Nodes<Space::dim>& nodes);
 
 /// Work and energy of a step's motion.
 struct StepEnergy {
@@ -58,7 +59,7 @@ struct StepEnergy {
 
 /// Strain, volume, stress and position of every point from the remapped nodal velocities; then the body is sorted and,
 /// if it asks for it, point stresses are replaced by their cell's average. Throws PointLost.
-template <class Grid>
-StepEnergy update_stress_and_move(Body<Grid>& body, const Gravity& gravity, double dt, const Nodes<Grid::dim>& nodes);
+template <class Space>
+StepEnergy update_stress_and_move(Body<Space>& body, const Gravity& gravity, double dt, Nodes<Space::dim>& nodes);
 
 } // namespace settle::mpm

@@ -28,10 +28,12 @@ struct StageReport {
 /// Quasi-static: gravity in equal increments, each solved to equilibrium; an increment that does not converge is halved
 /// and tried again. The stage ends with an increment at full gravity after which nothing is refilled. Throws
 /// exchange::NotConverged with the residuals, PointLost.
-StageReport load_quasi_static(Body<TriangleGrid>& body, const StageLoad& load, const exchange::QuasiStatic& settings);
+template <class Space>
+StageReport load_quasi_static(Body<Space>& body, const StageLoad& load, const exchange::QuasiStatic& settings);
 
 /// Explicit: gravity ramps over `ramp_time`, then the body is held until both errors are met (or for `hold`); the hold
 /// starts again whenever a point is added. Throws exchange::NotConverged when `max_hold_time` is over, PointLost.
-StageReport load_explicit(Body<TriangleGrid>& body, const StageLoad& load, const exchange::ExplicitDynamic& settings);
+template <class Space>
+StageReport load_explicit(Body<Space>& body, const StageLoad& load, const exchange::ExplicitDynamic& settings);
 
 } // namespace settle::mpm

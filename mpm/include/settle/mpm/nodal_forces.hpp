@@ -7,13 +7,13 @@
 namespace settle::mpm {
 
 /// Weight of the points at the nodes, gravity factors applied; (dim * nodes), direction fastest [N/m] in 2-D.
-template <class Grid>
-Eigen::VectorXd external_forces(const Body<Grid>& body, const Gravity& gravity);
+template <class Space>
+Eigen::VectorXd external_forces(const Body<Space>& body, const Gravity& gravity);
 
 /// What the base carries, positive upward: internal minus external force over the vertically fixed nodes [N/m] in 2-D.
-template <class Grid>
-double base_reaction(const Body<Grid>& body, const Eigen::VectorXd& internal, const Eigen::VectorXd& external) {
-  constexpr int dim = Grid::dim;
+template <class Space>
+double base_reaction(const Body<Space>& body, const Eigen::VectorXd& internal, const Eigen::VectorXd& external) {
+  constexpr int dim = Space::dim;
   double reaction = 0;
   for (std::size_t node = 0; node < body.fixed.size(); ++node) {
     const auto vertical = static_cast<Eigen::Index>(dim * node + dim - 1);

@@ -13,17 +13,18 @@ struct LayerPlacement {
   double thickness = 0; ///< as placed [m]
 };
 
-/// Places a layer over the whole width: per square of the grid, three points in each of its two triangles at the Gauss
-/// positions (1/6, 1/6), (2/3, 1/6), (1/6, 2/3). A thickness that is no multiple of the grid's size is divided into the
-/// nearest number of rows. The body has to be sorted afterwards.
-void place_layer(Body<TriangleGrid>& body, const LayerPlacement& placement);
+/// Places a layer over the whole width, each square of the grid with the points of the body's layout. A thickness that
+/// is no multiple of the grid's size is divided into the nearest number of rows. The body has to be sorted afterwards.
+template <class Space>
+void place_layer(Body<Space>& body, const LayerPlacement& placement);
 
 /// Places the initial points of one cell, marked as refilled.
-void refill_cell(Body<TriangleGrid>& body, int cell, int layer);
+template <class Space>
+void refill_cell(Body<Space>& body, int cell, int layer);
 
-/// Height of a full refilled row: the smallest distance between two rows of initial points, a sixth of a square [m]. A
-/// refilled row lies across one column of squares, two points side by side.
-double refill_row_height(const TriangleGrid& grid);
+/// Height of a full refilled row [m]. A row lies across one column of squares.
+template <class Space>
+double refill_row_height(const Body<Space>& body);
 
 /// A refilled row.
 struct RefillRow {
@@ -32,9 +33,11 @@ struct RefillRow {
   double top = 0;    ///< height of its upper side [m]
   double height = 0; ///< [m]
 };
-void refill_row(Body<TriangleGrid>& body, const RefillRow& row);
+template <class Space>
+void refill_row(Body<Space>& body, const RefillRow& row);
 
-/// Surface of each column of squares of a body without gaps: its points' volume over its width [m].
-std::vector<double> column_heights(const Body<TriangleGrid>& body);
+/// Surface of each column of squares of a body without gaps: the grid's base and its points' volume over its width [m].
+template <class Space>
+std::vector<double> column_heights(const Body<Space>& body);
 
 } // namespace settle::mpm

@@ -20,10 +20,11 @@ struct IncrementReport {
 };
 
 /// Equilibrium at the end of the increment, on the grid as it deforms in the increment (updated Lagrangian): for every
-/// free node  sum_c V_c J sigma_c F^-T grad N = sum_p N m g,  with sigma_c the cell's average stress at the
-/// end of the increment, F the increment's deformation gradient, and V_c by `StressIntegration`. The tangent is its
-/// exact derivative (unsymmetric). Eigen's SparseLU; the symbolic analysis is kept while the same cells are occupied.
-template <class Grid>
+/// free node i  sum_p v_p J_p sigma_p F_p^-T g_ip = sum_p N_i m g,  with sigma_p the stress at the end of the
+/// increment, F_p the increment's deformation gradient at p, and v_p and g_ip by `StressIntegration`. The tangent is
+/// its exact derivative (unsymmetric). Eigen's SparseLU; the symbolic analysis is kept while the points touch the same
+/// nodes.
+template <class Space>
 class QuasiStaticStep {
 public:
   /// `tolerance`: relative out-of-balance force at which an increment has converged.
@@ -33,7 +34,7 @@ public:
 
   /// Balances `fraction` of what is out of balance between the body's stresses and gravity. The body moves only if the
   /// Newton iteration converges; then its points are moved and sorted. Throws PointLost.
-  IncrementReport advance(Body<Grid>& body, const Gravity& gravity, double fraction = 1.0);
+  IncrementReport advance(Body<Space>& body, const Gravity& gravity, double fraction = 1.0);
 
 private:
   struct System;

@@ -21,11 +21,13 @@ struct Refill {
 /// `element` (Aviles & Pinyol 2023): every cell of the layer that has become empty gets its initial points.
 /// `sub-element`: a row of points across a column of squares as soon as the gap below the design level exceeds half the
 /// row's height, so that the deficit has no bias. Sorts the body if anything was added. Returns the points added.
-int refill_where_due(Body<TriangleGrid>& body, const Refill& refill);
+template <class Space>
+int refill_where_due(Body<Space>& body, const Refill& refill);
 
 /// Ends a stage once gravity is full: `sub-element` closes every gap exactly, by whole rows and one partial row (the
 /// column below yields a little under it, so this is repeated after each new equilibrium); `element` as
 /// `refill_where_due`. Sorts the body if anything was added. Returns the points added; 0 when no gap is worth closing.
-int close_gap(Body<TriangleGrid>& body, const Refill& refill);
+template <class Space>
+int close_gap(Body<Space>& body, const Refill& refill);
 
 } // namespace settle::mpm

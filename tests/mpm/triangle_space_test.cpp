@@ -6,12 +6,12 @@
 #include <gmock/gmock.h>
 
 #include "settle/mpm/cell_table.hpp"
-#include "settle/mpm/triangle_grid.hpp"
+#include "settle/mpm/spaces.hpp"
 
 namespace settle::mpm::test {
 namespace {
 
-const TriangleGrid grid(5, 7, 0.3);
+const TriangleSpace grid({.columns = 5, .rows = 7, .size = 0.3});
 
 Vector<2> random_point(std::mt19937& random) {
   std::uniform_real_distribution<double> unit(0.0, 1.0);
@@ -24,14 +24,14 @@ double area(const Vector<2>& a, const Vector<2>& b, const Vector<2>& c) {
 }
 
 /// Barycentric coordinates of x from the areas of the three triangles it makes with the cell's corners.
-TriangleGrid::Values barycentric(int cell, const Vector<2>& x) {
+TriangleSpace::Values barycentric(int cell, const Vector<2>& x) {
   const auto nodes = grid.nodes(cell);
   const auto a = grid.node_position(nodes[0]), b = grid.node_position(nodes[1]), c = grid.node_position(nodes[2]);
   const double whole = area(a, b, c);
   return {area(x, b, c) / whole, area(a, x, c) / whole, area(a, b, x) / whole};
 }
 
-TEST(TriangleGrid, ShapeFunctionsAreTheBarycentricCoordinatesOfTheCellsCorners) {
+TEST(TriangleSpace, ShapeFunctionsAreTheBarycentricCoordinatesOfTheCellsCorners) {
   std::mt19937 random(1);
   for (int k = 0; k < 1000; ++k) {
     const auto x = random_point(random);
@@ -42,7 +42,7 @@ TEST(TriangleGrid, ShapeFunctionsAreTheBarycentricCoordinatesOfTheCellsCorners) 
   }
 }
 
-TEST(TriangleGrid, ShapeFunctionsSumToOneAndReproduceLinearFieldsInsideAndOutsideTheirCell) {
+TEST(TriangleSpace, ShapeFunctionsSumToOneAndReproduceLinearFieldsInsideAndOutsideTheirCell) {
   std::mt19937 random(2);
   const auto linear = [](const Vector<2>& x) { return 3.0 - 2.0 * x[0] + 5.0 * x[1]; };
   for (int cell = 0; cell < grid.n_cells(); ++cell) {
@@ -59,7 +59,7 @@ TEST(TriangleGrid, ShapeFunctionsSumToOneAndReproduceLinearFieldsInsideAndOutsid
   }
 }
 
-TEST(TriangleGrid, GradientsAreTheDifferencesOfTheShapeFunctions) {
+TEST(TriangleSpace, GradientsAreTheDifferencesOfTheShapeFunctions) {
   std::mt19937 random(3);
   const double step = 0.01;
   for (int cell = 0; cell < grid.n_cells(); ++cell) {
@@ -75,7 +75,7 @@ TEST(TriangleGrid, GradientsAreTheDifferencesOfTheShapeFunctions) {
   }
 }
 
-TEST(TriangleGrid, LocateFindsTheOneCellInWhichNoBarycentricCoordinateIsNegative) {
+TEST(TriangleSpace, LocateFindsTheOneCellInWhichNoBarycentricCoordinateIsNegative) {
   std::mt19937 random(4);
   for (int k = 0; k < 1000; ++k) {
     const auto x = random_point(random);
@@ -87,7 +87,7 @@ TEST(TriangleGrid, LocateFindsTheOneCellInWhichNoBarycentricCoordinateIsNegative
   }
 }
 
-TEST(TriangleGrid, CornersOfEveryCellLieOnItsSquareAndTheRightAngleComesFirst) {
+TEST(TriangleSpace, CornersOfEveryCellLieOnItsSquareAndTheRightAngleComesFirst) {
   for (int row = 0; row < grid.rows(); ++row)
     for (int column = 0; column < grid.columns(); ++column) {
       const int lower = 2 * (column + grid.columns() * row);
@@ -103,24 +103,24 @@ TEST(TriangleGrid, CornersOfEveryCellLieOnItsSquareAndTheRightAngleComesFirst) {
     }
 }
 
-TEST(TriangleGrid, CellsAreAsLargeAndAsHighAsTheirCornersSay) {
+TEST(TriangleSpace, CellsAreAsLargeAndAsHighAsTheirCornersSay) {
   for (int cell = 0; cell < grid.n_cells(); ++cell) {
     const auto nodes = grid.nodes(cell);
     const auto a = grid.node_position(nodes[0]), b = grid.node_position(nodes[1]), c = grid.node_position(nodes[2]);
     EXPECT_NEAR(grid.cell_volume(), area(a, b, c), 1e-14);
     const double longest = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
-    EXPECT_NEAR(grid.shortest_altitude(), 2.0 * area(a, b, c) / longest, 1e-14);
+    EXPECT_NEAR(grid.shortest_length(), 2.0 * area(a, b, c) / longest, 1e-14);
   }
 }
 
-TEST(TriangleGrid, PointsOutsideHaveNoCell) {
+TEST(TriangleSpace, PointsOutsideHaveNoCell) {
   const double height = grid.rows() * grid.size();
   for (const Vector<2>& x : {Vector<2>(-1e-9, 0.1), Vector<2>(0.1, -1e-9), Vector<2>(grid.width() + 1e-9, 0.1),
                              Vector<2>(0.1, height + 1e-9)})
     EXPECT_EQ(grid.locate(x), -1) << x.transpose();
 }
 
-TEST(TriangleGrid, APointOutsideIsLostWithItsIdentityItsPositionAndTheBox) {
+TEST(TriangleSpace, APointOutsideIsLostWithItsIdentityItsPositionAndTheBox) {
   Points<2> points;
   points.add({.position = {0.1, 0.1}, .volume = 1.0, .density = 1.0});
   points.add({.position = {0.25, 2.5}, .volume = 1.0, .density = 1.0});

@@ -1,0 +1,11 @@
+#include "settle/mpm/triangle_space.hpp"
+
+namespace settle::mpm {
+
+TriangleSpace::TriangleSpace(const GridBox& box) : CornerNodes(box) {
+  gradients_[0] << -1.0, 1.0, 0.0, -1.0, 0.0, 1.0;
+  gradients_[0] *= inverse_size();
+  gradients_[1] = -gradients_[0];
+}
+
+} // namespace settle::mpm
