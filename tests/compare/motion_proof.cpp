@@ -34,6 +34,7 @@ public:
     know_whether_layers_matter(points);
     for (int i = 0; i < points; ++i) {
       const FormulaPoint at = sampler_.inside();
+      scale_boundary_with(at);
       check_stress(at);
       check_momentum(at);
       if (in_time_) check_time(at);
@@ -132,18 +133,19 @@ private:
     velocity_.add(derivative(displacement, step), derivative(displacement, step / 2), formulas_.velocity(at));
     acceleration_.add(derivative(velocity, step), derivative(velocity, step / 2), formulas_.acceleration(at));
     start_displacement_.add(formulas_.displacement(later(-at.time)), Vector{});
-    start_displacement_.scale_with(magnitude(formulas_.displacement(at)));
     start_stress_.add(formulas_.stress(later(-at.time)), Stress{});
-    start_stress_.scale_with(magnitude(formulas_.stress(at)));
+  }
+
+  /// What is small on the boundary is so beside the motion as a whole.
+  void scale_boundary_with(const FormulaPoint& at) {
+    const double displacement = magnitude(formulas_.displacement(at)), stress = magnitude(formulas_.stress(at));
+    for (Comparison* comparison : {&start_displacement_, &held_, &joined_})
+      comparison->scale_with(displacement);
+    for (Comparison* comparison : {&start_stress_, &free_faces_, &tractions_})
+      comparison->scale_with(stress);
   }
 
   void check_edge(const EdgePoint& edge) {
-    const double displacement = magnitude(formulas_.displacement(edge.at)),
-                 stress = magnitude(formulas_.stress(edge.at));
-    for (Comparison* comparison : {&held_, &joined_})
-      comparison->scale_with(displacement);
-    for (Comparison* comparison : {&free_faces_, &tractions_})
-      comparison->scale_with(stress);
     if (edge.neighbour)
       check_interface(edge, *edge.neighbour);
     else
@@ -160,7 +162,6 @@ private:
       held_.add(Vector{free_in_x ? 0 : motion[x_axis], free_in_y ? 0 : motion[y_axis]}, Vector{});
     const bool just_placed = edge.at.stage == edge.at.layer;
     if (thin_layers_ && !edge.support && just_placed) start_displacement_.add(motion, Vector{});
-    start_displacement_.scale_with(thin_layers_ ? magnitude(motion) : 0.0);
   }
 
   void check_interface(const EdgePoint& edge, int neighbour) {

@@ -14,7 +14,7 @@ namespace settle::compare::test {
 /// One thing that has to hold of a motion, over all sampled points.
 struct Finding {
   std::string what;
-  double error = 0.0; ///< largest difference over the largest of the values compared
+  double error = 0.0; ///< largest difference over the largest of the values compared; infinite if all are zero
   int compared = 0;   ///< points
   int dropped = 0;    ///< points so near to a kink of the formulas that differences of two steps do not agree
 };

@@ -73,7 +73,7 @@ Finding Comparison::finding() const {
       continue;
     }
     ++finding.compared;
-    const double error = row.error == 0 ? 0.0 : row.error / scale_;
+    const double error = row.error / scale_; // no number where there is nothing to be seen: never proved
     finding.error = std::isnan(error) ? std::numeric_limits<double>::infinity() : std::max(finding.error, error);
   }
   return finding;
