@@ -98,8 +98,7 @@ INSTANTIATE_TEST_SUITE_P(Mpm, BothIntegrations, testing::Values("mixed", "points
 /// what is left is its square, 1e-12 of lengths of 1 m.
 TEST_P(BothIntegrations, ALinearMotionOfAllSidesIsReproducedInside) {
   const auto study = exchange::parse_case(
-      square(all_sides("motion = 'exact'") +
-             "[motion]\ndisplacement = ['1e-6 * (2 * X + Y)', '1e-6 * (X - 3 * Y)']\n"),
+      square(all_sides("motion = 'exact'") + "[motion]\ndisplacement = ['1e-6 * (2 * X + Y)', '1e-6 * (X - 3 * Y)']\n"),
       "patch.toml", {"mpm.integration=" + GetParam()});
   EXPECT_LT(largest_error(study), 2e-11);
 }
@@ -133,7 +132,8 @@ TEST(PolygonMotion, ABodyForceIsRampedLikeGravity) {
   EXPECT_NEAR(by_gravity.back().base_reaction, 1e4, 1e-4);
 }
 
-/// Body force less acceleration is gravity: the same state but for the path to it, strains of 5e-5 in one step or twenty.
+/// Body force less acceleration is gravity: the same state but for the path to it, strains of 5e-5 in one step or
+/// twenty.
 TEST(PolygonMotion, TheQuasiStaticSchemeTakesTheAccelerationOffTheBodyForce) {
   const std::string stiff = "material.block.youngs_modulus=1e8";
   const auto by_gravity = stages_of(exchange::parse_case(square(rollers, "10.0"), "g.toml", {stiff}));
@@ -148,10 +148,10 @@ TEST(PolygonMotion, TheQuasiStaticSchemeTakesTheAccelerationOffTheBodyForce) {
 }
 
 TEST(PolygonMotion, ProbesSeeLinearFieldsExactly) {
-  const auto study = exchange::parse_case(
-      square(all_sides("motion = 'exact'") + "[motion]\ndisplacement = ['1e-6 * Y', '2e-6 * X']\n"
-                                             "[probes.diagonal]\nfrom = [0.0, 0.0]\nto = [1.0, 1.0]\npoints = 5\n"),
-      "probes.toml");
+  const auto study = exchange::parse_case(square(all_sides("motion = 'exact'") +
+                                                 "[motion]\ndisplacement = ['1e-6 * Y', '2e-6 * X']\n"
+                                                 "[probes.diagonal]\nfrom = [0.0, 0.0]\nto = [1.0, 1.0]\npoints = 5\n"),
+                                          "probes.toml");
   const exchange::ProbeSamples probes = stages_of(study).back().probes.at("diagonal");
   ASSERT_EQ(probes.size(), 5U);
   for (std::size_t i = 0; i < 5; ++i) {
@@ -162,11 +162,11 @@ TEST(PolygonMotion, ProbesSeeLinearFieldsExactly) {
 
 /// Two layers on a slope of any angle weigh what their polygons weigh, and the base carries it.
 TEST(PolygonMotion, MassAndReactionAreThoseOfThePolygons) {
-  auto study = exchange::parse_case(
-      square(side("[0.0, 0.0]", "[1.0, 0.0]", ""), "10.0"), "wedge.toml",
-      {"construction.layers=2", "geometry.polygon=[{corners=[[0.0,0.0],[1.0,0.0],[0.0,0.7]]},"
-                                "{layer=2,corners=[[1.0,0.0],[1.6,0.0],[0.0,1.12],[0.0,0.7]]}]",
-       "support.0.to=[1.6,0.0]"});
+  auto study = exchange::parse_case(square(side("[0.0, 0.0]", "[1.0, 0.0]", ""), "10.0"), "wedge.toml",
+                                    {"construction.layers=2",
+                                     "geometry.polygon=[{corners=[[0.0,0.0],[1.0,0.0],[0.0,0.7]]},"
+                                     "{layer=2,corners=[[1.0,0.0],[1.6,0.0],[0.0,1.12],[0.0,0.7]]}]",
+                                     "support.0.to=[1.6,0.0]"});
   const auto stages = stages_of(study);
   EXPECT_NEAR(stages[0].mass, 1000 * 0.35, 1e-9);
   EXPECT_NEAR(stages[1].mass, 1000 * 0.5 * 1.6 * 1.12, 1e-9);
@@ -174,14 +174,14 @@ TEST(PolygonMotion, MassAndReactionAreThoseOfThePolygons) {
 }
 
 TEST(PolygonRequirements, TrianglesAreRefusedWithTheElementThatFits) {
-  const auto study = exchange::parse_case(square(side("[0.0, 0.0]", "[1.0, 0.0]", ""), "1.0"), "t.toml",
-                                          {"mpm.element=triangle"});
+  const auto study =
+      exchange::parse_case(square(side("[0.0, 0.0]", "[1.0, 0.0]", ""), "1.0"), "t.toml", {"mpm.element=triangle"});
   EXPECT_THAT(complaint_about(study), HasSubstr("set mpm.element = \"quadrilateral\""));
 }
 
 TEST(PolygonRequirements, TheExplicitSchemeHoldsSupportsStill) {
-  const auto study = exchange::parse_case(
-      square(all_sides("motion = 'exact'") + "[motion]\ndisplacement = ['0', '0']\n"), "s.toml",
-      {"mpm.scheme=explicit"});
+  const auto study =
+      exchange::parse_case(square(all_sides("motion = 'exact'") + "[motion]\ndisplacement = ['0', '0']\n"), "s.toml",
+                           {"mpm.scheme=explicit"});
   EXPECT_THAT(complaint_about(study), HasSubstr("support.0.motion = \"exact\" with mpm.scheme = \"explicit\""));
 }
