@@ -62,11 +62,11 @@ Axis axis_of(Quantity quantity) {
   case Quantity::lateral_stress:
     return {"Lateral stress", ", compression positive", "kPa", -1e-3};
   case Quantity::displacement:
-    return {"Displacement", " since placement", "m", 1.0};
+    return {"Displacement", " since placement, magnitude", "m", 1.0};
   case Quantity::shear_stress:
     return {"Shear stress", "", "kPa", 1e-3};
   case Quantity::stress:
-    return {"Stress", "", "kPa", 1e-3};
+    return {"Stress", ", norm of the tensor", "kPa", 1e-3};
   case Quantity::density:
     return {"Density", "", "kg/m³", 1.0};
   case Quantity::base_reaction:
