@@ -17,10 +17,12 @@
 ///     cell_average(cell)          values and gradients of the cell's shape functions, averaged over its volume
 #pragma once
 
+#include "settle/mpm/b_spline_space.hpp"
 #include "settle/mpm/quadrilateral_space.hpp"
 #include "settle/mpm/triangle_space.hpp"
 
 /// Calls the macro X with every space.
 #define SETTLE_FOR_EVERY_SPACE(X)                                                                                      \
   X(TriangleSpace)                                                                                                     \
-  X(QuadrilateralSpace)
+  X(QuadrilateralSpace)                                                                                                \
+  X(BSplineSpace)
