@@ -20,7 +20,7 @@ auto with_space(const exchange::Case& study, Action&& action) {
   case exchange::Basis::linear:
     break;
   case exchange::Basis::gimp:
-    break;
+    return action(std::type_identity<GimpSpace>());
   case exchange::Basis::b_spline:
     return action(std::type_identity<BSplineSpace>());
   }
