@@ -10,7 +10,7 @@ namespace settle::mpm {
 template <class Space>
 struct Patch {
   PointRange points;
-  double volume = 0;                       ///< over which their stress acts at the start of the increment [m3/m]
+  double volume = 0; ///< over which their stress acts at the start of the increment [m3/m]
   const typename Space::Stencil::Gradients& gradients; ///< one column a node of the cell's [1/m]
 };
 

@@ -49,7 +49,6 @@ std::vector<Row> rows_of_layer(const Points<2>& points, int layer, double same_h
 /// Linear between the two rows around `height`, continued beyond the first and the last; a single row's mean
 /// everywhere.
 Values interpolate(const std::vector<Row>& rows, double height) {
-  if (rows.size() == 1) return rows.front().mean;
   const auto above =
       std::find_if(rows.begin() + 1, rows.end() - 1, [height](const Row& row) { return row.placed >= height; });
   const auto below = above - 1;

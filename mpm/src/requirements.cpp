@@ -41,16 +41,16 @@ void require_known_element(const exchange::Case& study) {
                               .remedy = "set mpm.element to one of these"});
 }
 
-/// Triangles take three points, quadrilaterals the square of 1, 2, 3 or 4.
+/// Triangles take three points, quadrilaterals the square of 2, 3 or 4: a single one does not resist hourglassing.
 void require_points_that_fit(const exchange::Case& study) {
   const int count = study.mpm.points_per_element.value_or(0);
   const bool triangle = study.mpm.element == exchange::MpmElement::triangle;
-  if (triangle ? count == 3 : count == 1 || count == 4 || count == 9 || count == 16) return;
+  if (triangle ? count == 3 : count == 4 || count == 9 || count == 16) return;
   throw exchange::InputError(
       {.where = study.where("mpm.points_per_element"),
        .what = fmt::format("an element {} cannot be given this number of points", quoted(study.mpm.element)),
        .given = std::to_string(count),
-       .allowed = triangle ? "3" : "1, 4, 9 or 16: as many side by side as on top of each other",
+       .allowed = triangle ? "3" : "4, 9 or 16: as many side by side as on top of each other",
        .remedy = fmt::format("set mpm.points_per_element = {}", triangle ? 3 : 4)});
 }
 

@@ -12,14 +12,16 @@
 namespace settle::mpm::test {
 namespace {
 
+template <class Space>
 struct Scattered {
-  Body<TriangleSpace> body;
+  Body<Space> body;
   Nodes<2> nodes;
 };
 
-Scattered scattered(bool supported, double g = 9.81) {
+template <class Space = TriangleSpace>
+Scattered<Space> scattered(bool supported, double g = 9.81) {
   std::mt19937 random(21);
-  Scattered state{block({.supported = supported}), {}};
+  Scattered<Space> state{block<Space>({.supported = supported}), {}};
   scatter_positions(state.body, random, 0.2);
   randomize_velocities(state.body, random);
   randomize_stresses(state.body, random);
@@ -43,15 +45,19 @@ double mass_of(const Nodes<2>& nodes) {
   return mass;
 }
 
-TEST(ScatterPoints, ConservesMassAndMomentum) {
-  const auto [body, nodes] = scattered(false);
+template <class Space>
+class ExplicitPhasesOf : public testing::Test {};
+TYPED_TEST_SUITE(ExplicitPhasesOf, EverySpace, SpaceName);
+
+TYPED_TEST(ExplicitPhasesOf, ScatteringConservesMassAndMomentum) {
+  const auto [body, nodes] = scattered<TypeParam>(false);
   EXPECT_NEAR(mass_of(nodes) / total_mass(body.points), 1.0, 1e-14);
   const Vector<2> momentum = total_momentum(body.points);
   EXPECT_LT((sum_of(nodes, &NodeState<2>::momentum) - momentum).norm(), 1e-13 * total_mass(body.points));
 }
 
-TEST(ScatterPoints, ExternalForceIsTheWeightAndInternalForcesCancelOut) {
-  const auto [body, nodes] = scattered(false);
+TYPED_TEST(ExplicitPhasesOf, ExternalForceIsTheWeightAndInternalForcesCancelOut) {
+  const auto [body, nodes] = scattered<TypeParam>(false);
   const Vector<2> external = sum_of(nodes, &NodeState<2>::external);
   EXPECT_EQ(external[0], 0.0);
   EXPECT_NEAR(external[1] / (-9.81 * total_mass(body.points)), 1.0, 1e-14);
@@ -87,6 +93,24 @@ TEST(ScatterPoints, ForgetsTheStepBefore) {
   const double mass = mass_of(nodes);
   scatter_points(body, {}, nodes);
   EXPECT_EQ(mass_of(nodes), mass);
+}
+
+/// Constant stress over the full cells of a block whose points lie anywhere in them: only its outer nodes carry force.
+TYPED_TEST(ExplicitPhasesOf, AConstantStressIsInEquilibriumInsideABlockWithPointsAnywhere) {
+  auto [body, nodes] = scattered<TypeParam>(false);
+  for (auto& component : body.points.stress)
+    std::fill(component.begin(), component.end(), -5e3);
+  scatter_points(body, {}, nodes);
+  int inner = 0;
+  for (int n = 0; n < body.space.n_nodes(); ++n) {
+    const int column = n % body.space.node_columns(), row = n / body.space.node_columns();
+    const bool inside = column > 0 && column < 3 && row > 0 && row < 3;
+    const double force = nodes[static_cast<std::size_t>(n)].internal.norm();
+    if (!inside) continue;
+    EXPECT_LT(force, 1e-12 * 5e3 * body.space.size());
+    ++inner;
+  }
+  EXPECT_EQ(inner, 4);
 }
 
 TEST(UpdateNodes, DampingIsItsShareOfTheUnbalancedForceAgainstTheVelocityAndNeverTurnsTheAcceleration) {
@@ -125,8 +149,8 @@ TEST(UpdateNodes, WhatIsNotAcceleratedIsCarriedByTheBase) {
   EXPECT_NEAR(sums.base_reaction, 9.81 * total_mass(body.points) + free_vertical, 1e-9 * sums.external);
 }
 
-TEST(UpdateVelocityAndRemap, ConservesTheMomentumOfTheUpdatedPoints) {
-  auto [body, nodes] = scattered(false);
+TYPED_TEST(ExplicitPhasesOf, RemappingConservesTheMomentumOfTheUpdatedPoints) {
+  auto [body, nodes] = scattered<TypeParam>(false);
   const Vector<2> before = total_momentum(body.points);
   update_nodes(body, 0.75, nodes);
   Vector<2> impulse = Vector<2>::Zero();
@@ -141,8 +165,8 @@ TEST(UpdateVelocityAndRemap, ConservesTheMomentumOfTheUpdatedPoints) {
   EXPECT_LT((sum_of(nodes, &NodeState<2>::remapped) - after).norm(), 1e-13 * scale);
 }
 
-TEST(UpdateStressAndMove, NothingMovesThroughAFrictionlessSupport) {
-  auto [body, nodes] = scattered(true);
+TYPED_TEST(ExplicitPhasesOf, NothingMovesThroughAFrictionlessSupport) {
+  auto [body, nodes] = scattered<TypeParam>(true);
   const auto lowest_and_outermost = [&body = body] {
     const auto& [x, y] = body.points.position;
     const auto [left, right] = std::minmax_element(x.begin(), x.end());

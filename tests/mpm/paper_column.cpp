@@ -40,11 +40,13 @@ bool same_height(double a, double b) {
   return std::abs(a - b) < 1e-9;
 }
 
-/// Relative height within their layer of points placed in rows: a layer of n squares has 4 n rows, the lowest and the
-/// highest a sixth of a square from its ends. Needs no knowledge of where the solver placed the layer.
+/// Relative height within their layer of points placed in rows: a layer of n squares has 4 n rows if they are made of
+/// triangles, the lowest and the highest a sixth of a square from its ends; a lattice ends half a spacing from them.
+/// Needs no knowledge of where the solver placed the layer.
 class RelativeHeights {
 public:
-  explicit RelativeHeights(const exchange::SamplePoints& points) {
+  RelativeHeights(const exchange::SamplePoints& points, exchange::MpmElement element) {
+    const double from_end = element == exchange::MpmElement::triangle ? 4.0 / 6.0 : 0.5; // in mean spacings
     std::map<int, std::vector<double>> heights;
     for (std::size_t p = 0; p < points.size(); ++p)
       if (points.refilled[p] == 0) heights[points.layer[p]].push_back(points.placed_position[2 * p + 1]);
@@ -52,7 +54,7 @@ public:
       std::sort(rows.begin(), rows.end());
       const double lowest = rows.front(), highest = rows.back();
       const auto n_rows = std::distance(rows.begin(), std::unique(rows.begin(), rows.end(), same_height));
-      const double end = 4.0 / (6.0 * static_cast<double>(n_rows));
+      const double end = from_end / static_cast<double>(n_rows);
       lines_[layer] = {.lowest = lowest, .end = end, .slope = (1.0 - 2.0 * end) / (highest - lowest)};
     }
   }
@@ -109,7 +111,7 @@ ExactRateColumn exact_of(const exchange::Case& study) {
 RelativeErrors errors_of(const exchange::Case& study, const std::vector<exchange::Stage>& stages) {
   const ExactRateColumn exact = exact_of(study);
   const auto& points = stages.back().points;
-  const RelativeHeights relative_height(points);
+  const RelativeHeights relative_height(points, study.mpm.element);
   const int stage = stages.back().layer;
   SquaredError settlement, stress;
   for (std::size_t p = 0; p < points.size(); ++p) {

@@ -31,6 +31,21 @@ TEST(Placement, RowsOfASquareLieAtOneTwoFourAndFiveSixths) {
   EXPECT_EQ(body.points.size(), 12U);
 }
 
+TEST(Placement, PointsOfAQuadrilateralLieOnARegularLatticeWithAShareOfTheSquareEach) {
+  for (const int per_side : {2, 3, 4}) {
+    auto body = block<QuadrilateralSpace>({.columns = 1, .rows = 2, .filled_rows = 1, .size = 0.6});
+    body.points = {};
+    body.layout = lattice_layout(per_side);
+    place_layer(body, {.layer = 1, .base = 0.0, .thickness = 0.6});
+    const auto rows = row_heights(body.points);
+    ASSERT_EQ(rows.size(), static_cast<std::size_t>(per_side));
+    for (int j = 0; j < per_side; ++j)
+      EXPECT_NEAR(rows[static_cast<std::size_t>(j)], 0.6 * (j + 0.5) / per_side, 1e-14);
+    EXPECT_THAT(body.points.volume, Each(DoubleNear(0.36 / (per_side * per_side), 1e-15)));
+    EXPECT_NEAR(refill_row_height(body), rows[1] - rows[0], 1e-14);
+  }
+}
+
 TEST(Placement, PointsOfATriangleIntegrateEveryQuadraticExactly) {
   const auto body = block({.columns = 1, .rows = 2, .filled_rows = 1, .size = 1.0});
   double x2 = 0, xy = 0, y2 = 0; // over the lower left triangle of the unit square

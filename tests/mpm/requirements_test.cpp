@@ -34,12 +34,12 @@ TEST(Requirements, NamesTheKeyItsPlaceAndTheValueThatCanBeRun) {
 
 TEST(Requirements, ATriangleTakesThreePointsAndAQuadrilateralASquareOfThem) {
   expect_refused({"mpm.points_per_element=4"}, "--set mpm.points_per_element=4", "set mpm.points_per_element = 3");
-  for (const char* count : {"1", "4", "9", "16"})
+  for (const char* count : {"4", "9", "16"})
     EXPECT_NO_THROW(
         require_solvable(paper_column({"mpm.element=quadrilateral", std::string("mpm.points_per_element=") + count})));
-  for (const char* count : {"2", "3", "8", "25"})
+  for (const char* count : {"1", "2", "3", "8", "25"})
     expect_refused({std::string("mpm.points_per_element=") + count, "mpm.element=quadrilateral"},
-                   std::string("--set mpm.points_per_element=") + count, "1, 4, 9 or 16");
+                   std::string("--set mpm.points_per_element=") + count, "4, 9 or 16");
 }
 
 TEST(Requirements, OptionsOfTheLawRateAreRefusedForHyperelasticLaws) {

@@ -12,7 +12,7 @@ namespace settle::mpm {
 /// Where a grid lies and how fine it is.
 struct GridBox {
   int columns = 1, rows = 1;
-  double size = 1.0;                      ///< side of a square [m]
+  double size = 1.0;                    ///< side of a square [m]
   Vector<2> origin = Vector<2>::Zero(); ///< lower left corner [m]
 };
 
