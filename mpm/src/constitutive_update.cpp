@@ -1,5 +1,6 @@
 #include "constitutive_update.hpp"
 
+#include <cmath>
 #include <type_traits>
 
 #include "settle/mpm/hyperelasticity.hpp"
@@ -128,6 +129,17 @@ void deform_hyperelastic_points(Body<Space>& body, PointRange range,
   }
 }
 
+/// A domain's sides take the lengths that the increment gives them, both made longer or shorter alike so that its
+/// volume changes as the point's: a rotation turns no domain, and does not shrink it either.
+template <int dim>
+void deform_domains(Points<dim>& points, PointRange range, const IncrementalKinematics<dim>& kinematics) {
+  const Vector<dim> lengths = kinematics.deformation.colwise().norm().transpose();
+  const Vector<dim> ratio = std::pow(kinematics.volume_ratio / lengths.prod(), 1.0 / dim) * lengths;
+  for (std::size_t p = range.first; p < range.last; ++p)
+    for (int c = 0; c < dim; ++c)
+      points.half_length[static_cast<std::size_t>(c)][p] *= ratio[c];
+}
+
 } // namespace
 
 template <class Space>
@@ -144,6 +156,7 @@ void deform_points(Body<Space>& body, PointRange range, const IncrementalKinemat
                    StrainMeasure measure) {
   for (std::size_t p = range.first; p < range.last; ++p)
     body.points.volume[p] *= kinematics.volume_ratio;
+  if constexpr (Space::has_domains) deform_domains(body.points, range, kinematics);
   if (body.law == exchange::Law::rate) return deform_rate_points(body, range, kinematics, measure);
   with_hyperelastic_law(
       body, [&]<class Law>(std::type_identity<Law>) { deform_hyperelastic_points<Law>(body, range, kinematics); });

@@ -45,6 +45,7 @@ Body<Space> empty_body(const exchange::Case& study) {
                    .law = fill.law,
                    .jaumann = study.mpm.jaumann};
   body.points.tracks_deformation = fill.law != exchange::Law::rate;
+  body.points.has_domains = Space::has_domains;
   return body;
 }
 

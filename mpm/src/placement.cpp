@@ -30,7 +30,8 @@ void fill_cell(Body<Space>& body, const Box& box, std::size_t which, const Origi
                      .refilled = origin.refilled,
                      .position = box.corner + local.cwiseProduct(box.size),
                      .volume = volume,
-                     .density = body.density});
+                     .density = body.density,
+                     .half_lengths = box.size / (2.0 * body.layout.row_points)});
 }
 
 } // namespace
@@ -69,7 +70,8 @@ void refill_row(Body<Space>& body, const RefillRow& row) {
                      .refilled = true,
                      .position = {left + (i + 0.5) * spacing, row.top - 0.5 * row.height},
                      .volume = spacing * row.height,
-                     .density = body.density});
+                     .density = body.density,
+                     .half_lengths = {0.5 * spacing, 0.5 * row.height}});
 }
 
 template <class Space>

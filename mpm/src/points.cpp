@@ -1,5 +1,7 @@
 #include "settle/mpm/points.hpp"
 
+#include <cmath>
+
 namespace settle::mpm {
 
 namespace {
@@ -30,6 +32,12 @@ void Points<dim>::add(const NewPoint<dim>& point) {
   }
   for (auto& component : stress)
     component.push_back(0.0);
+  if (has_domains) {
+    const double square = 0.5 * std::pow(point.volume, 1.0 / dim);
+    const bool given = point.half_lengths.squaredNorm() > 0.0;
+    for (int c = 0; c < dim; ++c)
+      half_length[static_cast<std::size_t>(c)].push_back(given ? point.half_lengths[c] : square);
+  }
   if (!tracks_deformation) return;
   for (auto& component : deformation)
     component.push_back(0.0);
@@ -48,6 +56,9 @@ void Points<dim>::permute(const std::vector<std::uint32_t>& order) {
     apply(component);
   for (auto& component : stress)
     apply(component);
+  if (has_domains)
+    for (auto& component : half_length)
+      apply(component);
   if (!tracks_deformation) return;
   for (auto& component : deformation)
     apply(component);

@@ -86,7 +86,11 @@ void place_polygons(const exchange::Case& study, int layer, Body<Space>& body) {
   for (const exchange::Polygon& polygon : study.geometry.polygons) {
     if (polygon.layer != layer) continue;
     for (const Piece& piece : cut_polygon(polygon, lattice))
-      body.points.add({.layer = layer, .position = piece.centroid, .volume = piece.area, .density = body.density});
+      body.points.add({.layer = layer,
+                       .position = piece.centroid,
+                       .volume = piece.area,
+                       .density = body.density,
+                       .half_lengths = Vector<2>::Constant(0.5 * std::sqrt(piece.area))});
   }
 }
 

@@ -18,7 +18,15 @@ namespace {
 template <class Action>
 auto with_space(const exchange::Case& study, Action&& action) {
   if (study.mpm.element == exchange::MpmElement::triangle) return action(std::type_identity<TriangleSpace>());
-  return action(std::type_identity<QuadrilateralSpace>()); // `require_solvable` lets no other pass
+  switch (study.mpm.basis) { // `require_solvable` lets no other element pass
+  case exchange::Basis::linear:
+    break;
+  case exchange::Basis::gimp:
+    return action(std::type_identity<GimpSpace>());
+  case exchange::Basis::b_spline:
+    return action(std::type_identity<BSplineSpace>());
+  }
+  return action(std::type_identity<QuadrilateralSpace>());
 }
 
 Refill refill_of(const exchange::Case& study, int layer) {

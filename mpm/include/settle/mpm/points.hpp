@@ -31,6 +31,8 @@ struct NewPoint {
   Vector<dim> position = Vector<dim>::Zero(); ///< where it is placed [m]
   double volume = 0;                          ///< [m3/m] in 2-D
   double density = 0;                         ///< [kg/m3]
+  /// Of the rectangle it fills [m]; zero: a square. Only kept where points carry their domains.
+  Vector<dim> half_lengths = Vector<dim>::Zero();
 };
 
 /// n material points. Every array has n entries; the points of a cell are contiguous after `sort_by_cell`.
@@ -49,6 +51,9 @@ struct Points {
   /// Deformation gradient since placement, row by row; empty unless `tracks_deformation`.
   std::array<std::vector<double>, static_cast<std::size_t>(dim* dim)> deformation;
   bool tracks_deformation = false; ///< set before the first point is added; for laws that need it
+  /// Half the sides of the rectangle along the axes that a point fills [m]; empty unless `has_domains`.
+  PerAxis<std::vector<double>, dim> half_length;
+  bool has_domains = false; ///< set before the first point is added; for spaces that need it
   std::uint64_t next_id = 1;
 
   [[nodiscard]] std::size_t size() const { return id.size(); }
@@ -69,6 +74,13 @@ struct Points {
   void set_deformation(std::size_t p, const Tensor<dim>& gradient) {
     for (int i = 0; i < dim * dim; ++i)
       deformation[static_cast<std::size_t>(i)][p] = gradient(i / dim, i % dim);
+  }
+
+  [[nodiscard]] Vector<dim> half_lengths_of(std::size_t p) const {
+    Vector<dim> lengths;
+    for (int c = 0; c < dim; ++c)
+      lengths[c] = half_length[static_cast<std::size_t>(c)][p];
+    return lengths;
   }
 
   /// Appends a stress-free point at rest.

@@ -15,6 +15,7 @@ public:
   static constexpr int max_nodes = 4;
   static constexpr int cells_per_square = 1;
   static constexpr bool has_constant_gradients = false;
+  static constexpr bool has_domains = false;
   using Stencil = mpm::Stencil<dim, max_nodes>;
   using Nodes = std::array<int, max_nodes>;
   using CornerNodes::CornerNodes;

@@ -8,6 +8,7 @@
 ///     max_nodes                   nodes that all points of one cell can touch together
 ///     cells_per_square            cell c lies in square c / cells_per_square
 ///     has_constant_gradients      gradients are the same at all points of a cell
+///     has_domains                 points have to carry their domains (Points::has_domains)
 ///     Stencil                     see stencil.hpp
 ///     columns() rows() size() origin() width() height() corner(column, row)      the squares, see square_grid.hpp
 ///     n_cells() cell_volume() column_of(cell) row_of(cell) locate(x)             locate: -1 outside the grid
@@ -17,10 +18,14 @@
 ///     cell_average(cell)          values and gradients of the cell's shape functions, averaged over its volume
 #pragma once
 
+#include "settle/mpm/b_spline_space.hpp"
+#include "settle/mpm/gimp_space.hpp"
 #include "settle/mpm/quadrilateral_space.hpp"
 #include "settle/mpm/triangle_space.hpp"
 
 /// Calls the macro X with every space.
 #define SETTLE_FOR_EVERY_SPACE(X)                                                                                      \
   X(TriangleSpace)                                                                                                     \
-  X(QuadrilateralSpace)
+  X(QuadrilateralSpace)                                                                                                \
+  X(GimpSpace)                                                                                                         \
+  X(BSplineSpace)

@@ -16,6 +16,7 @@ public:
   static constexpr int max_nodes = 3;
   static constexpr int cells_per_square = 2;
   static constexpr bool has_constant_gradients = true;
+  static constexpr bool has_domains = false;
   using Stencil = mpm::Stencil<dim, max_nodes>;
   using Nodes = std::array<int, max_nodes>;
   using Values = std::array<double, max_nodes>;
