@@ -8,8 +8,10 @@
 
 #include "settle/compare/convergence_text.hpp"
 #include "settle/compare/field_samples.hpp"
+#include "settle/compare/judge.hpp"
 #include "settle/compare/refinement_levels.hpp"
 #include "settle/compare/report.hpp"
+#include "settle/compare/statistics.hpp"
 
 namespace settle::compare::cli {
 namespace {
@@ -26,17 +28,13 @@ double largest_settlement(const exchange::Result& result) {
   return largest;
 }
 
-double plan_area(const exchange::Geometry& geometry) {
-  return geometry.width * (geometry.dimension == 3 ? geometry.depth.value_or(geometry.width) : 1.0);
-}
-
 std::string key_figures(const RunOutcome& run, const SolverRun& solver) {
   if (!solver.result || solver.result->stages.empty())
     return fmt::format("{} {}", solver.solver, name_of(solver.status));
   const exchange::Stage& last = solver.result->stages.back();
   return fmt::format("{} {:.4f} m, {:.2f} kPa{}", solver.solver, largest_settlement(*solver.result),
-                     last.base_reaction / plan_area(run.study.geometry) / 1e3,
-                     last.in_equilibrium ? "" : " (out of equilibrium)");
+                     last.base_reaction / plan_area(run.study) / 1e3,
+                     last.in_equilibrium || runs_in_time(run.study) ? "" : " (out of equilibrium)");
 }
 
 std::string run_line(const RunOutcome& run, std::size_t name_width) {

@@ -54,8 +54,8 @@ public:
   [[nodiscard]] double excess_weight() const {
     return gravity_ * (stage_.mass - exact_->scalar(Quantity::mass, number_)) / area_;
   }
-  /// Force that the last increment or step left unbalanced, per plan area [Pa]: the larger of what the solver states and
-  /// what its base reaction shows.
+  /// Force that the last increment or step left unbalanced, per plan area [Pa]: the larger of what the solver states
+  /// and what its base reaction shows.
   [[nodiscard]] double unbalanced() const {
     return std::max(std::abs(stage_.base_reaction - stage_.weight), stage_.out_of_balance * stage_.weight) / area_;
   }
@@ -64,8 +64,8 @@ private:
   [[nodiscard]] Field field(const std::function<std::optional<MaterialState>(const MaterialPoint&)>& state_at) const {
     Field values;
     for (std::size_t i = 0; i < probes_.size(); ++i) {
-      const auto state = state_at(
-          {.layer = probes_.layer[i], .x = probes_.x[i], .height = probes_.height[i], .as_placed = false});
+      const auto state =
+          state_at({.layer = probes_.layer[i], .x = probes_.x[i], .height = probes_.height[i], .as_placed = false});
       if (!state) return {};
       append_field(*state, dimension_, quantity_, values);
     }

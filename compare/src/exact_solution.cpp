@@ -131,9 +131,9 @@ std::unique_ptr<ExactSolution> exact_solution(const Case& study, exchange::Kinem
 }
 
 std::string other_load_of(const Case& study) {
-  const bool follows =
-      std::any_of(study.supports.begin(), study.supports.end(),
-                  [](const exchange::Support& support) { return support.motion == exchange::SupportMotion::exact; });
+  const bool follows = std::any_of(study.supports.begin(), study.supports.end(), [](const exchange::Support& support) {
+    return support.motion == exchange::SupportMotion::exact;
+  });
   if (follows) return "supports that follow a motion carry whatever it takes, not just the weight";
   if (!study.motion) return {};
   if (study.motion->duration) return "supports of a body in motion carry its inertia, not just its weight";

@@ -137,8 +137,8 @@ TEST(BodyLegs, WithoutFormulasOfStressOnlyDisplacementsAreExact) {
 
 TEST(BodyLegs, FormulasAreEvaluatedAtTheEndOfTheMotion) {
   const std::string motion = "\n[motion]\ndisplacement = [\"t * X\", \"-t * Y\"]\nduration = 0.25\n";
-  const auto study = exchange::parse_case(body_text(motion), "body.toml",
-                                          {"construction.layers=1", "geometry.polygon.1.layer=1"});
+  const auto study =
+      exchange::parse_case(body_text(motion), "body.toml", {"construction.layers=1", "geometry.polygon.1.layer=1"});
   const MaterialState state = exact_solution(study, exchange::Kinematics::finite)->at({.x = 2.0, .height = 1.0}, 1);
   EXPECT_DOUBLE_EQ(state.displacement[0], 0.5);
   EXPECT_DOUBLE_EQ(state.displacement[1], -0.25);

@@ -48,8 +48,8 @@ TEST(ErrorBudget, OfPerfectSolversIsTheModelDifferenceAlone) {
   const std::vector<DifferenceSplit> splits = difference_splits(refill_run());
   ASSERT_EQ(splits.size(), 2U);
   for (const DifferenceSplit& split : splits) {
-    for (const double part : {split.mpm_error, split.fem_error, split.mpm_mass, split.mpm_unbalanced,
-                              split.fem_unbalanced})
+    for (const double part :
+         {split.mpm_error, split.fem_error, split.mpm_mass, split.mpm_unbalanced, split.fem_unbalanced})
       EXPECT_LT(part, 1e-13);
     EXPECT_NEAR(split.total, split.model_difference, 1e-13);
     EXPECT_GT(split.total, 0.05);
@@ -169,8 +169,8 @@ TEST(ErrorBudget, SaysOfABodyOfPolygonsWhatItCan) {
   EXPECT_GT(splits[0].mpm_error, 0.01);
   EXPECT_NEAR(splits[0].mpm_error, splits[0].total, 1e-14);
   EXPECT_EQ(splits[0].model_difference, 0.0);
-  for (const double unknown : {splits[0].mpm_mass, splits[0].mpm_unbalanced, splits[0].fem_unbalanced,
-                               splits[0].layers, splits[0].mpm_layers, splits[0].fem_layers})
+  for (const double unknown : {splits[0].mpm_mass, splits[0].mpm_unbalanced, splits[0].fem_unbalanced, splits[0].layers,
+                               splits[0].mpm_layers, splits[0].fem_layers})
     EXPECT_TRUE(std::isnan(unknown));
 }
 

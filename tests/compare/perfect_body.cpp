@@ -98,7 +98,8 @@ points = 5
 [[support]]
 from = [0.0, 0.0]
 to = [2.0, 0.0]
-)" + motion + more;
+)" + motion +
+         more;
 }
 
 std::string stated_motion() {

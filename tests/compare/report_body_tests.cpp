@@ -57,8 +57,8 @@ TEST(BodyPage, DrawsFieldsAlongEveryLine) {
 
 TEST(BodyPage, ShowsSupportsFormulasAndPolygons) {
   const std::string page = html_report(campaign_of(body_case()));
-  for (const std::string key : {"support.0", "geometry.polygon.1", "motion.let.1", "motion.displacement.0",
-                                "motion.stress.3"})
+  for (const std::string key :
+       {"support.0", "geometry.polygon.1", "motion.let.1", "motion.displacement.0", "motion.stress.3"})
     EXPECT_THAT(page, HasSubstr(">" + key + "<"));
   EXPECT_THAT(page, HasSubstr("grown = stage - layer + 1"));
 }
@@ -104,8 +104,7 @@ TEST(LineFigure, IsBrokenWhereTheLineLeavesALayer) {
   study.geometry.polygons[0].corners = {{0.0, 0.0}, {0.5, 0.0}, {0.5, 1.0}, {0.0, 1.0}};
   study.geometry.polygons.push_back({.layer = 1, .corners = {{1.5, 0.0}, {2.0, 0.0}, {2.0, 1.0}, {1.5, 1.0}}});
   study.probes.erase("axis");
-  const report::Plot plot =
-      report::line_plot_of(figure_of_body(Quantity::displacement), campaign_of(study));
+  const report::Plot plot = report::line_plot_of(figure_of_body(Quantity::displacement), campaign_of(study));
   EXPECT_EQ(plot.curves.at(1).profile.size(), 2U); // both in the first layer
 }
 

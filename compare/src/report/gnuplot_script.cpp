@@ -10,7 +10,7 @@ namespace settle::compare::report {
 
 namespace {
 
-constexpr int left_margin = 62; // pixels
+constexpr int left_margin = 80; // pixels; with less room than " 0.05" needs, gnuplot leaves the title of the axis out
 
 std::string data_block(const PlotCurve& curve, std::size_t index) {
   std::string block = fmt::format("$curve{} << END_OF_DATA\n", index);

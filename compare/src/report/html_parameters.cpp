@@ -20,6 +20,12 @@ json schema_of(const json& table, const std::string& key) {
   return others.is_object() ? others : json::object();
 }
 
+/// What a key means; an array of tables is described with its entries.
+std::string meaning_of(const json& facts) {
+  const json items = facts.value("items", json::object());
+  return facts.value("description", items.is_object() ? items.value("description", "") : "");
+}
+
 /// Tables that no solver of this run reads, and keys the page shows elsewhere.
 bool is_left_out(const RunOutcome& run, const std::string& key) {
   const auto runs = [&](const char* solver) {
@@ -31,7 +37,7 @@ bool is_left_out(const RunOutcome& run, const std::string& key) {
   if (key == "mpm" || key == "fem") return !runs(key.c_str());
   if (key == "mpm.quasi_static") return run.study.mpm.scheme != exchange::Scheme::quasi_static;
   if (key == "mpm.explicit") return run.study.mpm.scheme != exchange::Scheme::explicit_dynamic;
-  return key == "check" || key == "title" || key == "source" || key == "format";
+  return key == "check" || key == "converge" || key == "title" || key == "source" || key == "format";
 }
 
 /// An array whose entries are read one by one: tables (supports, polygons), and texts (formulas).
@@ -53,7 +59,7 @@ void append_rows(const RunOutcome& run, const document::Table& table, const json
       append_rows(run, *inner, facts, key, rows);
       continue;
     }
-    const std::string meaning = facts.value("description", "");
+    const std::string meaning = meaning_of(facts);
     const document::List* entries = entries_of(entry.value);
     if (entries == nullptr) {
       rows.rows.push_back({{.text = key}, {.text = document::to_inline_toml(entry.value)}, {.text = meaning}});
@@ -71,7 +77,7 @@ void append_rows(const RunOutcome& run, const document::Table& table, const json
 
 Table parameter_table(const RunOutcome& run) {
   Table rows{
-      "Parameters, defaults filled in", {{"Key", "", false}, {"Value", "", true}, {"Meaning [unit]", "", false}}, {}};
+      "Parameters, defaults filled in", {{"Key", "", false}, {"Value", "", false}, {"Meaning [unit]", "", false}}, {}};
   append_rows(run, document::parse(exchange::to_toml(run.study), run.study.file), json::parse(exchange::case_schema()),
               "", rows);
   return rows;
