@@ -34,6 +34,8 @@ void declare(CLI::App& app, Arguments& arguments, const SolverProgram& program) 
   app.add_flag("--quiet", arguments.quiet, "no progress");
   app.set_version_flag("--version", fmt::format("{} {} (commit {}, {})", program.name, program_version(),
                                                 program_commit(), program.libraries));
+  app.footer("Exit codes: 0 finished, 2 bad input or usage, 3 not converged or no equilibrium,\n"
+             "4 the result cannot be written, 70 a defect of the program.");
   if (program.declare_options) program.declare_options(app);
 }
 
