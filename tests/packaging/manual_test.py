@@ -1,6 +1,5 @@
 """manual_test.py BUILD SCRATCH: the manual pages that are installed say all that the programs' --help says."""
 import re
-import shutil
 import subprocess
 import sys
 import unittest
@@ -41,7 +40,6 @@ class ManualPages(unittest.TestCase):
             listed = re.findall(r"^\.B (\d+)$", page(program).partition("EXIT STATUS")[2], re.MULTILINE)
             self.assertEqual(listed, codes, program.name)
 
-    @unittest.skipUnless(shutil.which("groff"), "groff is not installed")
     def test_groff_has_nothing_to_complain_about(self):
         for program in installed.programs(prefix):
             file = f"{prefix}/share/man/man1/{program.name}.1"
