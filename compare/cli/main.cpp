@@ -44,6 +44,9 @@ int main(int argc, char** argv) {
                        fmt::format("settle {} (commit {})", exchange::program_version(), exchange::program_commit()));
   app.footer("Exit codes: 0 all passed, 1 a verdict not passed, 2 bad input or usage, 3 a solver failed,\n"
              "4 a result or reference missing or corrupt, 130 interrupted.");
+  std::string log_format = "text";
+  app.add_option("--log-format", log_format, "errors as text, or as one JSON object a line")
+      ->check(CLI::IsMember({"text", "json"}));
   const auto commands = all_commands();
   std::map<const CLI::App*, cli::Command*> by_app;
   for (const auto& command : commands) {
@@ -56,6 +59,7 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& end) { // help and version end here too, with 0
     return app.exit(end) == 0 ? 0 : static_cast<int>(exchange::ExitCode::bad_input);
   }
-  return exchange::run_program("settle",
-                               [&] { return by_app.at(app.get_subcommands().front())->run(typed(argc, argv)); });
+  return exchange::run_program(
+      "settle", [&] { return by_app.at(app.get_subcommands().front())->run(typed(argc, argv)); },
+      log_format == "json" ? exchange::LogFormat::json : exchange::LogFormat::text);
 }

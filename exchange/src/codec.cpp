@@ -91,6 +91,9 @@ std::optional<Value> IntegerCodec::write(const int& member) const {
 Table IntegerCodec::schema() const {
   Table schema{type_entry("integer")};
   add_range<std::int64_t>(info_.range, schema);
+  using Limits = std::numeric_limits<int>;
+  if (!info_.range.lowest) schema.push_back(entry("minimum", {std::int64_t{Limits::min()}, {}}));
+  if (!info_.range.highest) schema.push_back(entry("maximum", {std::int64_t{Limits::max()}, {}}));
   return schema;
 }
 

@@ -136,7 +136,10 @@ std::optional<Value> TomlListsCodec::write(const Member& member) const {
 }
 
 Table TomlListsCodec::schema() const {
-  return {entry("type", {std::string("object"), {}})};
+  // A dotted key without quotes is a table of tables.
+  const List kinds{{std::string("array"), {}}, {std::string("object"), {}}};
+  Table values{entry("type", {kinds, {}}), entry("minItems", whole_number(1))};
+  return {entry("type", {std::string("object"), {}}), entry("additionalProperties", {std::move(values), {}})};
 }
 
 std::string TomlListsCodec::allowed() const {

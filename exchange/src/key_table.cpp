@@ -112,6 +112,12 @@ const List* as_list_of_tables(const Given& given, Reading& reading) {
   return nullptr;
 }
 
+Table schema_of_named_tables(Table each) {
+  return {text_entry("type", "object"),
+          {"propertyNames", {}, {Table{text_entry("pattern", "^[A-Za-z0-9_-]+$")}, {}}},
+          {"additionalProperties", {}, {std::move(each), {}}}};
+}
+
 bool check_name(const Entry& entry, const std::string& path, Reading& reading) {
   const auto fits = [](unsigned char c) { return c < 128 && (std::isalnum(c) != 0 || c == '_' || c == '-'); };
   if (!entry.key.empty() && std::all_of(entry.key.begin(), entry.key.end(), fits)) return true;

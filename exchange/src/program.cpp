@@ -8,11 +8,27 @@
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 #include <openssl/evp.h>
 
 #include "settle_commit.hpp"
 
 namespace settle::exchange {
+namespace {
+
+constexpr const char* defect = "a defect of the program itself, please report it";
+
+void print_error(const std::string& name, ExitCode code, const std::string& message, LogFormat format) {
+  if (format == LogFormat::text) {
+    fmt::print(stderr, "{}: {}\n", name, message);
+    return;
+  }
+  const nlohmann::ordered_json event{
+      {"event", "error"}, {"program", name}, {"exit_code", static_cast<int>(code)}, {"message", message}};
+  fmt::print(stderr, "{}\n", event.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+}
+
+} // namespace
 
 std::string program_version() {
   return SETTLE_VERSION;
@@ -38,18 +54,20 @@ std::string utc_now() {
   return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(now));
 }
 
-int run_program(const std::string& name, const std::function<ExitCode()>& body) {
+int run_program(const std::string& name, const std::function<ExitCode()>& body, LogFormat format) {
+  const auto ended = [&](ExitCode code, const std::string& message) {
+    print_error(name, code, message, format);
+    return static_cast<int>(code);
+  };
   try {
     return static_cast<int>(body());
   } catch (const Error& error) {
-    fmt::print(stderr, "{}: {}\n", name, error.what());
-    return static_cast<int>(error.code());
+    return ended(error.code(), error.what());
   } catch (const std::exception& error) {
-    fmt::print(stderr, "{}: a defect of the program itself, please report it: {}\n", name, error.what());
+    return ended(ExitCode::internal_error, fmt::format("{}: {}", defect, error.what()));
   } catch (...) {
-    fmt::print(stderr, "{}: a defect of the program itself, please report it\n", name);
+    return ended(ExitCode::internal_error, defect);
   }
-  return static_cast<int>(ExitCode::internal_error);
 }
 
 } // namespace settle::exchange

@@ -7,6 +7,7 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "settle/exchange/case_io.hpp"
 #include "settle/exchange/program.hpp"
@@ -23,6 +24,9 @@ struct Arguments {
   std::vector<std::string> overrides;
   bool check = false;
   bool quiet = false;
+  std::string log_format = "text";
+
+  [[nodiscard]] LogFormat log() const { return log_format == "json" ? LogFormat::json : LogFormat::text; }
 };
 
 void declare(CLI::App& app, Arguments& arguments, const SolverProgram& program) {
@@ -32,8 +36,12 @@ void declare(CLI::App& app, Arguments& arguments, const SolverProgram& program) 
       ->allow_extra_args(false);
   app.add_flag("--check", arguments.check, "only check that the case can be run; writes nothing");
   app.add_flag("--quiet", arguments.quiet, "no progress");
+  app.add_option("--log-format", arguments.log_format, "progress and errors as text, or as one JSON object a line")
+      ->check(CLI::IsMember({"text", "json"}));
   app.set_version_flag("--version", fmt::format("{} {} (commit {}, {})", program.name, program_version(),
                                                 program_commit(), program.libraries));
+  app.footer("Exit codes: 0 finished, 2 bad input or usage, 3 not converged or no equilibrium,\n"
+             "4 the result cannot be written, 70 a defect of the program.");
   if (program.declare_options) program.declare_options(app);
 }
 
@@ -45,7 +53,27 @@ double largest_settlement(const Stage& stage, int dimension) {
   return largest;
 }
 
-void print_progress(const Case& study, const Stage& stage) {
+void print_event(const nlohmann::ordered_json& event) {
+  std::cout << event.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) << std::endl;
+}
+
+/// SI units; what is not a number is null.
+nlohmann::ordered_json progress_event(const Case& study, const Stage& stage) {
+  return {{"event", "stage"},
+          {"layer", stage.layer},
+          {"layers", study.construction.layers},
+          {"steps", stage.steps},
+          {"largest_settlement", largest_settlement(stage, study.geometry.dimension)},
+          {"base_reaction", stage.base_reaction},
+          {"weight", stage.weight},
+          {"mass", stage.mass},
+          {"mass_refilled", stage.mass_refilled},
+          {"in_equilibrium", stage.in_equilibrium},
+          {"wall_time", stage.wall_time}};
+}
+
+void print_progress(const Case& study, const Stage& stage, LogFormat format) {
+  if (format == LogFormat::json) return print_event(progress_event(study, stage));
   std::cout << fmt::format("layer {:3} of {}: {:6} steps, largest settlement {:.5f} m, base reaction/weight {:.9f}, "
                            "refilled {:.3f} of {:.3f} kg{}{}",
                            stage.layer, study.construction.layers, stage.steps,
@@ -62,7 +90,7 @@ void solve(const SolverProgram& program, const Case& study, const Arguments& arg
   program.solve(study, [&](const Stage& stage) {
     writer.write(stage);
     index.add(stage);
-    if (!arguments.quiet) print_progress(study, stage);
+    if (!arguments.quiet) print_progress(study, stage, arguments.log());
   });
   writer.finish(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), 1);
   index.write();
@@ -77,10 +105,12 @@ ExitCode run(const SolverProgram& program, const Arguments& arguments) {
                       .remedy = "name a file, or use --check to run nothing"});
   const Case study = read_case(arguments.study, arguments.overrides);
   const std::string summary = program.check(study);
-  if (arguments.check)
-    std::cout << fmt::format("{}: {} can run this case: {}\n", study.file, program.name, summary);
-  else
+  if (!arguments.check)
     solve(program, study, arguments);
+  else if (arguments.log() == LogFormat::json)
+    print_event({{"event", "checked"}, {"case", study.file}, {"program", program.name}, {"what", summary}});
+  else
+    std::cout << fmt::format("{}: {} can run this case: {}\n", study.file, program.name, summary);
   return ExitCode::success;
 }
 
@@ -95,7 +125,8 @@ int run_solver(const SolverProgram& program, int argc, char** argv) {
   } catch (const CLI::ParseError& end) {
     return app.exit(end) == 0 ? 0 : static_cast<int>(ExitCode::bad_input); // help and version end here too, with 0
   }
-  return run_program(program.name, [&] { return run(program, arguments); });
+  return run_program(
+      program.name, [&] { return run(program, arguments); }, arguments.log());
 }
 
 } // namespace settle::exchange

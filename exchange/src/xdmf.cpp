@@ -1,6 +1,7 @@
 #include "settle/exchange/xdmf.hpp"
 
 #include <fstream>
+#include <iterator>
 
 #include <fmt/format.h>
 
@@ -17,6 +18,20 @@ struct Attribute {
   int components;
 };
 
+/// The points one after another, as libxdmf (ParaView's Xdmf3 reader) wants it said: without, it draws none.
+std::string every_point(std::size_t count) {
+  std::string text =
+      fmt::format("<DataItem Format=\"XML\" NumberType=\"Int\" Precision=\"4\" Dimensions=\"{}\">", count);
+  for (std::size_t point = 0; point < count; ++point)
+    fmt::format_to(std::back_inserter(text), "{} ", point);
+  return text + "</DataItem>";
+}
+
+/// The shape of a dataset, which has to be HDF5's: one number a point is (n), not (n, 1).
+std::string shape(std::size_t count, int components) {
+  return components == 1 ? fmt::format("{}", count) : fmt::format("{} {}", count, components);
+}
+
 } // namespace
 
 XdmfIndex::XdmfIndex(const std::filesystem::path& result, int dimension)
@@ -27,14 +42,14 @@ XdmfIndex::XdmfIndex(const std::filesystem::path& result, int dimension)
 void XdmfIndex::add(const Stage& stage) {
   const std::string group = fmt::format("{}:/stages/{:04}/points/", data_, ++stages_);
   const auto item = [&](const Attribute& a) {
-    return fmt::format("<DataItem Format=\"HDF\" {} Dimensions=\"{} {}\">{}{}</DataItem>", a.number,
-                       stage.points.size(), a.components, group, a.dataset);
+    return fmt::format("<DataItem Format=\"HDF\" {} Dimensions=\"{}\">{}{}</DataItem>", a.number,
+                       shape(stage.points.size(), a.components), group, a.dataset);
   };
   constexpr const char* real = "NumberType=\"Float\" Precision=\"8\"";
   grids_ += fmt::format("  <Grid Name=\"stage {0}\">\n   <Time Value=\"{0}\"/>\n"
-                        "   <Topology TopologyType=\"Polyvertex\" NumberOfElements=\"{1}\"/>\n"
-                        "   <Geometry GeometryType=\"{2}\">{3}</Geometry>\n",
-                        stages_, stage.points.size(), dimension_ == 2 ? "XY" : "XYZ",
+                        "   <Topology TopologyType=\"Polyvertex\" NumberOfElements=\"{1}\">{2}</Topology>\n"
+                        "   <Geometry GeometryType=\"{3}\">{4}</Geometry>\n",
+                        stages_, stage.points.size(), every_point(stage.points.size()), dimension_ == 2 ? "XY" : "XYZ",
                         item({"position", "", real, dimension_}));
   for (const Attribute& a :
        {Attribute{"displacement", "Matrix", real, dimension_}, Attribute{"stress", "Matrix", real, 6},

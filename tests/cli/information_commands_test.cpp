@@ -61,6 +61,13 @@ TEST_F(InformationCommands, DoctorNamesWhatIsMissing) {
   EXPECT_THAT(ill.text, HasSubstr("missing  settle-fem"));
 }
 
+TEST_F(InformationCommands, ErrorsAreJsonWhereProgramsRead) {
+  const auto error = nlohmann::json::parse(settle({"--log-format", "json", "list", "/nowhere"}).text);
+  EXPECT_EQ(error.at("event"), "error");
+  EXPECT_EQ(error.at("exit_code"), 2);
+  EXPECT_THAT(error.at("message").get<std::string>(), HasSubstr("/nowhere"));
+}
+
 TEST_F(InformationCommands, VersionAndHelpAreNoErrors) {
   EXPECT_EQ(settle({"--version"}).code, 0);
   EXPECT_EQ(settle({"--help"}).code, 0);

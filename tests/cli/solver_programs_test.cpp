@@ -1,8 +1,11 @@
 #include <array>
+#include <sstream>
 
 #include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
 
 #include "command_line.hpp"
+#include "settle/exchange/result_io.hpp"
 
 namespace settle::compare::test {
 namespace {
@@ -71,6 +74,37 @@ TEST_P(SolverProgram, ChecksWithoutRunning) {
   const Answer answer = run_program(GetParam(), {case_file.string(), "--check"});
   EXPECT_EQ(answer.code, 0) << answer.text;
   EXPECT_EQ(run_program(GetParam(), {case_file.string(), "--check", "--set", "construction.layers=7"}).code, 2);
+}
+
+TEST_P(SolverProgram, ReportsEveryStageAsALineOfJson) {
+  const Answer answer =
+      run_program(GetParam(), {case_file.string(), "--out", written().string(), "--log-format", "json"});
+  ASSERT_EQ(answer.code, 0) << answer.text;
+  const exchange::Result result = exchange::read_result(written());
+  std::istringstream lines(answer.text);
+  for (const exchange::Stage& stage : result.stages) {
+    std::string line;
+    ASSERT_TRUE(std::getline(lines, line));
+    const auto event = nlohmann::json::parse(line);
+    EXPECT_EQ(event.at("event"), "stage");
+    EXPECT_EQ(event.at("layer"), stage.layer);
+    EXPECT_EQ(event.at("layers"), study.construction.layers);
+    EXPECT_EQ(event.at("base_reaction"), stage.base_reaction);
+    EXPECT_EQ(event.at("in_equilibrium"), stage.in_equilibrium);
+  }
+  EXPECT_EQ(lines.peek(), std::istringstream::traits_type::eof());
+}
+
+TEST_P(SolverProgram, ReportsACheckAndAnErrorAsALineOfJson) {
+  const auto event_of = [&](const std::string& option, const std::string& value) {
+    return nlohmann::json::parse(
+        run_program(GetParam(), {case_file.string(), "--check", "--log-format", "json", option, value}).text);
+  };
+  EXPECT_EQ(event_of("--set", "construction.layers=4").at("event"), "checked");
+  const auto error = event_of("--set", "gravity=-1");
+  EXPECT_EQ(error.at("event"), "error");
+  EXPECT_EQ(error.at("exit_code"), 2);
+  EXPECT_THAT(error.at("message").get<std::string>(), HasSubstr("gravity is not an allowed value"));
 }
 
 constexpr std::array solver_programs{SETTLE_SOLVERS};

@@ -5,6 +5,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 using namespace settle::exchange;
 using testing::HasSubstr;
@@ -17,9 +18,9 @@ struct Ending {
   std::string printed;
 };
 
-Ending run(const std::function<ExitCode()>& body) {
+Ending run(const std::function<ExitCode()>& body, LogFormat format = LogFormat::text) {
   testing::internal::CaptureStderr();
-  const int code = run_program("settle-test", body);
+  const int code = run_program("settle-test", body, format);
   return {code, testing::internal::GetCapturedStderr()};
 }
 
@@ -60,6 +61,18 @@ TEST(RunProgram, CallsAnyOtherExceptionADefectOfItsOwn) {
   EXPECT_THAT(ending.printed, HasSubstr("a defect of the program itself"));
   EXPECT_THAT(ending.printed, HasSubstr("index 7 of 5"));
   EXPECT_EQ(run([]() -> ExitCode { throw 5; }).code, 70);
+}
+
+TEST(RunProgram, WritesAnErrorAsOneLineOfJsonWhereProgramsRead) {
+  const Complaint complaint{.where = "here", .what = "it \"failed\"", .given = "1\n2", .allowed = {}, .remedy = {}};
+  const Ending ending = run([&]() -> ExitCode { throw InputError(complaint); }, LogFormat::json);
+  EXPECT_EQ(ending.code, 2);
+  EXPECT_EQ(ending.printed.find('\n'), ending.printed.size() - 1);
+  const auto event = nlohmann::json::parse(ending.printed);
+  EXPECT_EQ(event,
+            (nlohmann::json{
+                {"event", "error"}, {"program", "settle-test"}, {"exit_code", 2}, {"message", to_text(complaint)}}));
+  EXPECT_THAT(run([]() -> ExitCode { throw 5; }, LogFormat::json).printed, HasSubstr("\"exit_code\":70"));
 }
 
 TEST(Provenance, HasAVersionACommitAndATime) {

@@ -53,6 +53,8 @@ TableDoc doc_of_keys(const std::string& header, const std::string& doc, const st
 /// Complains unless the value is a table, or every item of the list is one.
 const document::Table* as_table(const Given& given, Reading& reading);
 const document::List* as_list_of_tables(const Given& given, Reading& reading);
+/// JSON Schema of tables under names that people choose.
+document::Table schema_of_named_tables(document::Table each);
 /// Complains about a name that is not made of letters, digits, "_" and "-".
 bool check_name(const document::Entry& entry, const std::string& path, Reading& reading);
 /// The tables of a documentation as Markdown.

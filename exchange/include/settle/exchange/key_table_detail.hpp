@@ -105,9 +105,7 @@ public:
       tables.push_back({name, {}, {keys_.write(value), {}}});
     return tables.empty() ? std::nullopt : std::optional(document::Value{std::move(tables), {}});
   }
-  [[nodiscard]] document::Table schema() const override {
-    return {{"type", {}, {std::string("object"), {}}}, {"additionalProperties", {}, {keys_.schema(), {}}}};
-  }
+  [[nodiscard]] document::Table schema() const override { return schema_of_named_tables(keys_.schema()); }
   [[nodiscard]] std::string allowed() const override { return "tables with names of your own"; }
   [[nodiscard]] bool is_table() const override { return true; }
   void describe(const std::string& path, std::vector<TableDoc>& docs) const override {

@@ -18,8 +18,12 @@ std::string sha256(const std::string& text);
 /// Now, in UTC, ISO 8601.
 std::string utc_now();
 
+/// How progress and errors are written: for people, or for programs as one JSON object a line.
+enum class LogFormat { text, json };
+
 /// Runs `body`, prints an Error's text as `NAME: text` to standard error, and returns the exit code. Any other
-/// exception is reported as a defect of the program (exit code 70).
-int run_program(const std::string& name, const std::function<ExitCode()>& body);
+/// exception is reported as a defect of the program (exit code 70). With LogFormat::json the error is an object with
+/// the keys event ("error"), program, exit_code and message.
+int run_program(const std::string& name, const std::function<ExitCode()>& body, LogFormat format = LogFormat::text);
 
 } // namespace settle::exchange

@@ -1,6 +1,6 @@
 /// \file
 /// The command line that every solver of the suite has: NAME CASE --out RESULT.h5 [--set key=value] [--check]
-/// [--quiet].
+/// [--quiet] [--log-format text|json].
 #pragma once
 
 #include <functional>

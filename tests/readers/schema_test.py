@@ -1,0 +1,95 @@
+"""schema_test.py SETTLE SOURCES: an independent JSON Schema validator takes `settle schema`, accepts every shipped case and
+campaign, and refuses what the programs refuse, as far as a schema can know.
+"""
+import json
+import pathlib
+import subprocess
+import sys
+import tomllib
+import unittest
+
+try:
+    import jsonschema
+except ImportError:
+    print("skipped: python3-jsonschema is not installed")
+    sys.exit(77)
+
+settle, sources = sys.argv[1], pathlib.Path(sys.argv[2])
+
+# What only the programs can know: keys that contradict each other, and names that have to be in the same file.
+beyond_a_schema = {
+    "band_upside_down", "compared_with_itself", "convergence_of_an_unknown_solver", "damped_motion",
+    "floating_polygons", "formula_unfinished", "formula_with_a_slip", "layer_without_polygon", "layers_backwards",
+    "layers_that_are_not_there", "levels_from_fine_to_coarse", "levels_of_nothing", "levels_that_do_not_match",
+    "line_that_is_not_fitted", "missing_key", "order_left_out", "order_of_divergence", "polygon_clockwise",
+    "polygons_without_support", "probe_outside", "probes_beside_the_polygons", "reference_called_exact",
+    "second_meaning_of_x", "support_of_a_column", "support_of_no_motion", "two_levels_of_layers",
+    "undefined_material",
+}
+
+
+def validator(kind):
+    schema = json.loads(subprocess.run([settle, "schema", kind], check=True, capture_output=True, text=True).stdout)
+    of_draft = jsonschema.validators.validator_for(schema, default=None)
+    of_draft.check_schema(schema)
+    return of_draft(schema)
+
+
+schemas = {kind: validator(kind) for kind in ("case", "campaign")}
+
+
+def complaints(kind, document):
+    """What the validator says of a document; of what no JSON can hold (nan, dates), that."""
+    try:
+        document = json.loads(json.dumps(document, allow_nan=False))
+    except (TypeError, ValueError) as error:
+        return [f"not JSON: {error}"]
+    return [f"{'.'.join(map(str, error.absolute_path))}: {error.message}" for error in schemas[kind].iter_errors(document)]
+
+
+def refused(kind, text):
+    return complaints(kind, tomllib.loads(text)) != []
+
+
+class Schema(unittest.TestCase):
+    def test_every_shipped_case_and_campaign_is_accepted(self):
+        kinds = {"case": 0, "campaign": 0}
+        for path in sorted((sources / "cases").rglob("*.toml")):
+            document = tomllib.loads(path.read_text())
+            kind = "campaign" if "run" in document else "case"
+            kinds[kind] += 1
+            with self.subTest(file=str(path.relative_to(sources))):
+                self.assertEqual(complaints(kind, document), [])
+        self.assertTrue(all(kinds.values()), kinds)
+
+    def test_every_invalid_case_is_refused_unless_no_schema_could(self):
+        paths = sorted((sources / "tests" / "invalid").glob("*.toml"))
+        self.assertLessEqual(beyond_a_schema, {path.stem for path in paths})
+        for path in paths:
+            try:
+                document = tomllib.loads(path.read_text())
+            except tomllib.TOMLDecodeError:
+                continue
+            with self.subTest(file=path.name):
+                self.assertEqual(complaints("case", document) == [], path.stem in beyond_a_schema, complaints("case", document))
+
+    def test_names_that_people_choose_are_held_to_their_letters(self):
+        text = (sources / "cases" / "paper" / "refill.toml").read_text().replace("[material.fill]", "[material.\"fi/ll\"]")
+        self.assertTrue(refused("case", text))
+
+    def test_what_is_shown_with_all_defaults_is_accepted(self):
+        for path in sorted((sources / "cases" / "paper").glob("refill*.toml")):
+            shown = subprocess.run([settle, "show", path], check=True, capture_output=True, text=True).stdout
+            self.assertEqual(complaints("case", tomllib.loads(shown)), [], path)
+
+    def test_mistakes_in_campaigns_are_refused(self):
+        run = "format = 1\n[[run]]\nname = \"a\"\ncase = \"a.toml\"\n"
+        self.assertFalse(refused("campaign", run + "matrix.construction.layers = [5, 10]\nset.\"fem.element_size\" = 0.5"))
+        for mistake in ["solver = [\"mpm\"]", "solvers = []", "solvers = \"mpm\"", "time_limit = 0", "converge = 1",
+                        "matrix.\"construction.layers\" = 5", "matrix.\"construction.layers\" = []", "set = 1",
+                        "[[figure]]\ntitle = \"without a name\"", "[figure]\nname = \"not a list\"", "[publised]"]:
+            with self.subTest(mistake=mistake):
+                self.assertTrue(refused("campaign", run + mistake))
+
+
+unittest.main(argv=sys.argv[:1])
