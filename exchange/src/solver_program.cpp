@@ -74,11 +74,13 @@ nlohmann::ordered_json progress_event(const Case& study, const Stage& stage) {
 
 void print_progress(const Case& study, const Stage& stage, LogFormat format) {
   if (format == LogFormat::json) return print_event(progress_event(study, stage));
-  std::cout << fmt::format("layer {:3} of {}: {:6} steps, largest settlement {:.5f} m, base reaction/weight {:.9f}, "
-                           "refilled {:.3f} of {:.3f} kg{}{}",
+  const std::string reaction =
+      stage.weight > 0 ? fmt::format("base reaction/weight {:.9f}, ", stage.base_reaction / stage.weight) : "";
+  std::cout << fmt::format("layer {:3} of {}: {:6} steps, largest settlement {:.5f} m, {}refilled {:.3f} of {:.3f} "
+                           "kg{}{}",
                            stage.layer, study.construction.layers, stage.steps,
-                           largest_settlement(stage, study.geometry.dimension), stage.base_reaction / stage.weight,
-                           stage.mass_refilled, stage.mass, study.geometry.dimension == 2 ? "/m" : "",
+                           largest_settlement(stage, study.geometry.dimension), reaction, stage.mass_refilled,
+                           stage.mass, study.geometry.dimension == 2 ? "/m" : "",
                            stage.in_equilibrium ? "" : ", NOT in equilibrium")
             << std::endl;
 }

@@ -48,13 +48,14 @@ dealii::Vector<double> internal_force(const dealii::FEValues<dim>& values,
   return force;
 }
 
-/// (dofs) integral of phi_i . b [N] for a uniform force per volume b [N/m3].
+/// (dofs) integral of phi_i . b [N] for a force per volume b at the quadrature points [N/m3].
 template <int dim>
-dealii::Vector<double> body_force(const dealii::FEValues<dim>& values, const dealii::Tensor<1, dim>& per_volume) {
+dealii::Vector<double> body_force(const dealii::FEValues<dim>& values,
+                                  const std::vector<dealii::Tensor<1, dim>>& per_volume) {
   dealii::Vector<double> force(values.dofs_per_cell);
   for (const unsigned q : values.quadrature_point_indices())
     for (unsigned i = 0; i < values.dofs_per_cell; ++i)
-      force[i] += values[displacements].value(i, q) * per_volume * values.JxW(q);
+      force[i] += values[displacements].value(i, q) * per_volume[q] * values.JxW(q);
   return force;
 }
 

@@ -1,5 +1,5 @@
 /// \file
-/// The mesh of the design geometry.
+/// The mesh of the design geometry. Material id: the layer 1 ... N.
 #pragma once
 
 #include <deal.II/grid/tria.h>
@@ -8,10 +8,10 @@
 
 namespace settle::fem {
 
-/// Equal boxes over the whole design column; material id: the layer 1 ... N; boundary id 2 c and 2 c + 1: the lower and
-/// the upper side along axis c, so the top is 2 dim - 1.
+/// A column: equal boxes over the whole of it; boundary id 2 c and 2 c + 1: the lower and the upper side along axis c,
+/// so the top is 2 dim - 1. Polygons: the cells of polygon_mesh.hpp, in their order.
 template <int dim>
-void make_column(const exchange::Case& study, dealii::Triangulation<dim>& mesh);
+void make_mesh(const exchange::Case& study, dealii::Triangulation<dim>& mesh);
 
 /// The layer of a cell, 1 ... N.
 template <class Cell>

@@ -1,5 +1,6 @@
 #include "placement.hpp"
 
+#include <deal.II/base/geometry_info.h>
 #include <deal.II/fe/fe_q.h>
 
 #include "mesh.hpp"
@@ -10,6 +11,15 @@ namespace {
 /// Holds the surface that either element leaves. Also for Q1: at degree 1, deal.II (9.4) takes the Jacobian of the cell
 /// visited before wherever the cells are translations of each other in the mesh, whatever the mapping says.
 constexpr unsigned geometry_degree = 2;
+
+/// Linear along each axis of the cell between its vertices in the mesh.
+template <class Cell, int dim>
+dealii::Point<dim> designed_position(const Cell& cell, const dealii::Point<dim>& unit) {
+  dealii::Point<dim> position;
+  for (const unsigned v : cell->vertex_indices())
+    position += dealii::GeometryInfo<dim>::d_linear_shape_function(unit, v) * cell->vertex(v);
+  return position;
+}
 
 } // namespace
 
@@ -40,7 +50,7 @@ auto PlacedGeometry<dim>::shape_of_new(const Cell& cell, const History<dim>& his
   const double lower = (layer_of(cell) - 1) * thickness_, upper = layer_of(cell) * thickness_;
   std::vector<dealii::Point<dim>> shape;
   for (const dealii::Point<dim>& unit : points_) {
-    const dealii::Point<dim> designed = cell->bounding_box().unit_to_real(unit);
+    const dealii::Point<dim> designed = designed_position(cell, unit);
     if (rule_ == LayerRule::as_designed) {
       shape.push_back(designed);
       continue;
@@ -59,7 +69,7 @@ void PlacedGeometry<dim>::update(const dealii::Triangulation<dim>& mesh, const H
     if (history.of(cell).placed()) return history.of(cell).shape;
     std::vector<dealii::Point<dim>> designed;
     for (const dealii::Point<dim>& unit : points_)
-      designed.push_back(cell->bounding_box().unit_to_real(unit));
+      designed.push_back(designed_position(cell, unit));
     return designed;
   });
 }
@@ -74,7 +84,7 @@ dealii::Point<dim> PlacedGeometry<dim>::surface_below(const Cell& cell, dealii::
   while (layer_of(below) == layer_of(cell)) {
     if (below->at_boundary(lower_face)) {
       unit[dim - 1] = 0.0;
-      return below->bounding_box().unit_to_real(unit);
+      return designed_position(below, unit);
     }
     below = below->neighbor(lower_face);
   }

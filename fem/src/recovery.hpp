@@ -12,10 +12,11 @@ dealii::Tensor<1, dim> displacement_at(const StagedProblem<dim>& problem, const 
                                        const dealii::Point<dim>& unit);
 
 /// Cauchy stress at a point of a placed cell (unit coordinates), recovered from where it is superconvergent [Pa]:
-/// linear through the cell's mean with, along each axis,
-///  - Q1: the difference between the means of its neighbours (or itself) within its layer; a layer of a single cell
-///    along an axis has no slope there;
-///  - Q2: the least-squares slope through the cell's own quadrature points.
+/// linear by position as placed, through the cell's mean, with
+///  - Q1: the least-squares slopes to the means of its neighbours within its layer; along a direction in which a layer
+///  is
+///    a single cell there is no slope;
+///  - Q2: the least-squares slopes through the cell's own quadrature points.
 template <int dim>
 dealii::SymmetricTensor<2, 3> stress_at(const StagedProblem<dim>& problem,
                                         const typename StagedProblem<dim>::Cell& cell, const dealii::Point<dim>& unit);

@@ -1,6 +1,11 @@
 #include "sampling.hpp"
 
+#include <algorithm>
+#include <limits>
+#include <optional>
+
 #include <deal.II/base/geometry_info.h>
+#include <deal.II/fe/mapping_q1.h>
 
 #include "cell_terms.hpp"
 #include "mesh.hpp"
@@ -31,14 +36,19 @@ dealii::Point<dim> design_point(const exchange::ProbePoint& probe) {
     return {probe.x, probe.y, probe.design_height};
 }
 
-/// A cell of the probe's own layer that holds it, on its boundary or within.
+/// Where in a cell as designed a point lies, on its boundary or within, in unit coordinates; nothing where it lies
+/// outside.
 template <int dim>
-Cell<dim> cell_around(const StagedProblem<dim>& problem, const exchange::ProbePoint& probe) {
+std::optional<dealii::Point<dim>> place_within(const Cell<dim>& cell, const dealii::Point<dim>& point) {
   constexpr double slack = 1e-9; // of a cell's size: probes stand on cell boundaries up to round-off
-  for (const auto& cell : problem.dofs().active_cell_iterators())
-    if (layer_of(cell) == probe.layer && cell->bounding_box().point_inside(design_point<dim>(probe), slack))
-      return cell;
-  return problem.dofs().end();
+  if (!cell->bounding_box().point_inside(point, slack)) return {};
+  try {
+    const dealii::Point<dim> unit = dealii::StaticMappingQ1<dim>::mapping.transform_real_to_unit_cell(cell, point);
+    if (!dealii::GeometryInfo<dim>::is_inside_unit_cell(unit, slack)) return {};
+    return dealii::GeometryInfo<dim>::project_to_unit_cell(unit);
+  } catch (const typename dealii::Mapping<dim>::ExcTransformationFailed&) {
+    return {}; // beside the cell, where its map has no inverse
+  }
 }
 
 } // namespace
@@ -73,13 +83,34 @@ exchange::SamplePoints native_points(const StagedProblem<dim>& problem) {
 template <int dim>
 ProbeLines<dim>::ProbeLines(const StagedProblem<dim>& problem, const exchange::Case& study) {
   for (const auto& [name, line] : study.probes)
-    for (const exchange::ProbePoint& point : exchange::probe_points(study, line)) {
-      const Cell<dim> cell = cell_around(problem, point);
-      SETTLE_ASSERT(cell != problem.dofs().end(), name, point.layer, point.x, point.y, point.design_height);
-      const dealii::Point<dim> designed = design_point<dim>(point);
-      const dealii::Point<dim> unit = cell->bounding_box().real_to_unit(designed);
-      lines_[name].push_back({cell, designed, dealii::GeometryInfo<dim>::project_to_unit_cell(unit)});
+    for (const exchange::ProbePoint& point : exchange::probe_points(study, line))
+      lines_[name].push_back(tie(problem, point));
+}
+
+/// To a cell of the probe's own layer.
+template <int dim>
+auto ProbeLines<dim>::tie(const StagedProblem<dim>& problem, const exchange::ProbePoint& point) -> Probe {
+  const dealii::Point<dim> designed = design_point<dim>(point);
+  for (const auto& cell : problem.dofs().active_cell_iterators()) {
+    if (layer_of(cell) != point.layer) continue;
+    if (const auto unit = place_within<dim>(cell, designed)) return {cell, designed, *unit};
+  }
+  SETTLE_ASSERT(false, point.layer, point.x, point.y, point.design_height);
+  return {problem.dofs().end(), designed, {}};
+}
+
+/// Where geometry is frozen, that of the design.
+template <int dim>
+double highest_point(const StagedProblem<dim>& problem) {
+  double highest = -std::numeric_limits<double>::infinity();
+  for (const Cell<dim>& cell : problem.placed_cells())
+    for (const unsigned v : cell->vertex_indices()) {
+      const dealii::Point<dim> unit = dealii::GeometryInfo<dim>::unit_cell_vertex(v);
+      double height = problem.mapping().transform_unit_to_real_cell(cell, unit)[dim - 1];
+      if (!problem.formulation().linear()) height += displacement_at(problem, cell, unit)[dim - 1];
+      highest = std::max(highest, height);
     }
+  return highest;
 }
 
 template <int dim>
@@ -101,6 +132,8 @@ std::map<std::string, exchange::ProbeSamples> ProbeLines<dim>::sample(const Stag
 
 template exchange::SamplePoints native_points(const StagedProblem<2>&);
 template exchange::SamplePoints native_points(const StagedProblem<3>&);
+template double highest_point(const StagedProblem<2>&);
+template double highest_point(const StagedProblem<3>&);
 template class ProbeLines<2>;
 template class ProbeLines<3>;
 

@@ -17,6 +17,10 @@ namespace settle::fem {
 template <int dim>
 exchange::SamplePoints native_points(const StagedProblem<dim>& problem);
 
+/// Height of the highest vertex of all placed cells as it is now [m].
+template <int dim>
+double highest_point(const StagedProblem<dim>& problem);
+
 /// The case's probes, each tied to a cell of its own layer.
 template <int dim>
 class ProbeLines {
@@ -33,6 +37,8 @@ private:
     dealii::Point<dim> designed; ///< position in the design geometry [m]
     dealii::Point<dim> unit;     ///< within the cell
   };
+  static Probe tie(const StagedProblem<dim>& problem, const exchange::ProbePoint& point);
+
   std::map<std::string, std::vector<Probe>> lines_;
 };
 

@@ -32,22 +32,22 @@ struct Ramp {
   Clock::time_point start = Clock::now();
   int increments = 0;
   unsigned linear_solves = 0;
-  double reached = 0.0; ///< gravity factor
+  double reached = 0.0; ///< share of the stage
   Equilibrium last;
 
-  void add(Equilibrium equilibrium, double gravity_factor) {
+  void add(Equilibrium equilibrium, double share) {
     ++increments;
-    reached = gravity_factor;
+    reached = share;
     last = std::move(equilibrium);
   }
 };
 
-/// The factors of the gravity ramp: equal steps, the last is 1.
-std::vector<double> gravity_factors(int increments) {
-  std::vector<double> factors;
+/// Of a stage, at the end of each of its increments: equal steps, the last is 1.
+std::vector<double> shares(int increments) {
+  std::vector<double> shares;
   for (int i = 1; i <= increments; ++i)
-    factors.push_back(static_cast<double>(i) / increments);
-  return factors;
+    shares.push_back(static_cast<double>(i) / increments);
+  return shares;
 }
 
 /// [m] or [m2]; walls keep it what it is.
@@ -55,22 +55,20 @@ double plan_area(const exchange::Geometry& geometry) {
   return geometry.dimension == 2 ? geometry.width : geometry.width * geometry.depth.value_or(geometry.width);
 }
 
-/// Of an increment of gravity, where equilibrium is not found at once: 1/64 of it is the shortest that is tried.
+/// Of an increment, where equilibrium is not found at once: 1/64 of it is the shortest that is tried.
 constexpr std::size_t increment_halvings_allowed = 6;
 
 /// How a solve failed that is not tried again.
 struct Failure {
-  int layer;
-  double reached, target; ///< gravity factors
-  bool halved;            ///< the increment was shortened before
+  std::string where; ///< in the course of the run
+  bool halved;       ///< the increment was shortened before
   Equilibrium last;
 };
 
 exchange::NotConverged not_converged(const exchange::Case& study, const Failure& failure) {
   return exchange::NotConverged(exchange::Complaint{
       .where = study.file,
-      .what = fmt::format("no equilibrium in layer {} between {:.6g} and {:.6g} of its gravity{}", failure.layer,
-                          failure.reached, failure.target,
+      .what = fmt::format("no equilibrium in {}{}", failure.where,
                           failure.halved ? ", an increment halved as often as is tried" : ""),
       .given = fmt::format("relative residuals {:.3g}", fmt::join(failure.last.residuals, ", ")),
       .allowed = "",
@@ -99,17 +97,17 @@ public:
     for (int layer = 1; layer <= study_.construction.layers; ++layer) {
       Ramp ramp;
       problem_.activate(layer);
-      for (const double factor : gravity_factors(study_.fem.increments.value_or(1)))
-        raise_gravity(factor, layer, ramp);
+      for (const double share : shares(study_.fem.increments.value_or(1)))
+        advance(share, layer, ramp);
       on_stage(report(layer, ramp));
       if (series) series->add(problem_, layer);
     }
   }
 
 private:
-  /// From the factor reached to `target`, through halves of the way where that is too far for one increment. A solve
-  /// that fails leaves the state as it was accepted last.
-  void raise_gravity(double target, int layer, Ramp& ramp) {
+  /// From the share of the stage reached to `target`, through halves of the way where that is too far for one
+  /// increment. A solve that fails leaves the state as it was accepted last.
+  void advance(double target, int layer, Ramp& ramp) {
     std::vector<double> targets{target};
     while (!targets.empty()) {
       Equilibrium equilibrium = problem_.solve(targets.back());
@@ -119,11 +117,24 @@ private:
         ramp.add(std::move(equilibrium), targets.back());
         targets.pop_back();
       } else if (problem_.formulation().linear() || targets.size() > increment_halvings_allowed) {
-        throw not_converged(study_, {layer, ramp.reached, targets.back(), targets.size() > 1, std::move(equilibrium)});
+        throw not_converged(study_,
+                            {course(layer, ramp.reached, targets.back()), targets.size() > 1, std::move(equilibrium)});
       } else {
         targets.push_back((ramp.reached + targets.back()) / 2.0);
       }
     }
+  }
+
+  /// An increment, for messages.
+  [[nodiscard]] std::string course(int layer, double from, double to) const {
+    const std::optional<double> start = problem_.loading().time({layer, from});
+    if (!start) return fmt::format("layer {} between {:.6g} and {:.6g} of its gravity", layer, from, to);
+    return fmt::format("the motion between t = {:.6g} s and {:.6g} s", *start, *problem_.loading().time({layer, to}));
+  }
+
+  [[nodiscard]] double surface_height(const exchange::SamplePoints& points) const {
+    if (study_.geometry.shape == exchange::Shape::polygons) return highest_point(problem_);
+    return std::accumulate(points.volume.begin(), points.volume.end(), 0.0) / plan_area(study_.geometry);
   }
 
   [[nodiscard]] exchange::Stage report(int layer, const Ramp& ramp) const {
@@ -140,8 +151,7 @@ private:
       stage.mass += problem_.mass(placed);
     stage.mass_placed = problem_.mass(layer);
     stage.weight = stage.mass * problem_.gravity();
-    const std::vector<double>& volumes = stage.points.volume;
-    stage.surface_height = std::accumulate(volumes.begin(), volumes.end(), 0.0) / plan_area(study_.geometry);
+    stage.surface_height = surface_height(stage.points);
     stage.wall_time = std::chrono::duration<double>(Clock::now() - ramp.start).count();
     return stage;
   }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <numeric>
-#include <set>
 
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_nothing.h>
@@ -36,17 +35,6 @@ dealii::hp::FECollection<dim> elements_for(unsigned degree) {
                                        dealii::FESystem<dim>(dealii::FE_Nothing<dim>(), dim));
 }
 
-/// The displacement component that a roller on this side holds.
-unsigned normal_component(dealii::types::boundary_id side) {
-  return side / 2;
-}
-
-template <int dim>
-bool supported(const dealii::TriaIterator<dealii::DoFAccessor<dim - 1, dim, dim, false>>& face) {
-  constexpr dealii::types::boundary_id top = 2 * dim - 1;
-  return face->at_boundary() && face->boundary_id() != top;
-}
-
 template <int dim>
 std::unique_ptr<Formulation<dim>> make_formulation(const exchange::Case& study, const Elasticity& constants) {
   switch (study.fem.kinematics) {
@@ -58,15 +46,25 @@ std::unique_ptr<Formulation<dim>> make_formulation(const exchange::Case& study, 
   return nullptr;
 }
 
+/// Formulas may jump within a cell, as the body force of a ring does at its edges: they are integrated over parts of
+/// the cell, so that the error in their sum is small against that of the element.
+template <int dim>
+dealii::Quadrature<dim> load_quadrature(const dealii::QGauss<dim>& quadrature, const Loading& loading) {
+  constexpr unsigned parts_along_an_edge = 4;
+  if (!loading.drives()) return quadrature;
+  return dealii::QIterated<dim>(dealii::QGauss<1>(quadrature.get_tensor_basis()[0].size()), parts_along_an_edge);
+}
+
 } // namespace
 
 template <int dim>
 StagedProblem<dim>::StagedProblem(const exchange::Case& study)
     : constants_{study.fill().youngs_modulus, study.fill().poissons_ratio},
       formulation_(make_formulation<dim>(study, constants_)), density_(study.fill().density), gravity_(study.gravity),
-      elements_(elements_for<dim>(degree_of(study.fem.element))), quadrature_(degree_of(study.fem.element) + 1),
+      loading_(study), supports_(study), elements_(elements_for<dim>(degree_of(study.fem.element))),
+      quadrature_(degree_of(study.fem.element) + 1), load_quadrature_(load_quadrature(quadrature_, loading_)),
       dofs_(mesh_), history_(0), geometry_(study) {
-  make_column(study, mesh_);
+  make_mesh(study, mesh_);
   dofs_.reinit(mesh_);
   history_ = History<dim>(mesh_.n_active_cells());
   for (const auto& cell : dofs_.active_cell_iterators())
@@ -75,7 +73,8 @@ StagedProblem<dim>::StagedProblem(const exchange::Case& study)
 
 template <int dim>
 void StagedProblem<dim>::activate(int layer) {
-  layer_ = layer;
+  reached_ = {.stage = layer};
+  largest_load_ = 0.0;
   for (const auto& cell : dofs_.active_cell_iterators())
     if (layer_of(cell) == layer) {
       cell->set_active_fe_index(placed_element);
@@ -99,6 +98,8 @@ void StagedProblem<dim>::accept() {
     std::transform(trial.increment.begin(), trial.increment.end(), history.displacement.begin(),
                    history.displacement.begin(), std::plus<>());
   }
+  reached_ = target_;
+  largest_load_ = std::max(largest_load_, load());
   increment_ = 0.0;
 }
 
@@ -124,9 +125,10 @@ double StagedProblem<dim>::mass(int layer) const {
 
 /// Of cells as placed.
 template <int dim>
-dealii::FEValues<dim> StagedProblem<dim>::cell_values() const {
-  return dealii::FEValues<dim>(geometry_.mapping(), element(), quadrature_,
-                               dealii::update_values | dealii::update_gradients | dealii::update_JxW_values);
+dealii::FEValues<dim> StagedProblem<dim>::cell_values(const dealii::Quadrature<dim>& quadrature) const {
+  return dealii::FEValues<dim>(geometry_.mapping(), element(), quadrature,
+                               dealii::update_values | dealii::update_gradients | dealii::update_quadrature_points |
+                                   dealii::update_JxW_values);
 }
 
 template <int dim>
@@ -144,27 +146,16 @@ void StagedProblem<dim>::distribute_dofs() {
   unbalanced_.reinit(dofs_.n_dofs());
 }
 
-/// Rollers on the sides, and the base fixed vertically; the matrix that remains.
+/// What is held, and the matrix that remains.
 template <int dim>
 void StagedProblem<dim>::fix_supports() {
-  std::set<dealii::types::global_dof_index> base;
-  std::vector<dealii::types::global_dof_index> on_face(element().n_dofs_per_face());
-  supports_.clear();
-  for (const Cell& cell : placed_cells())
-    for (const auto& face : cell->face_iterators()) {
-      if (!supported<dim>(face)) continue;
-      face->get_dof_indices(on_face, placed_element);
-      const unsigned held = normal_component(face->boundary_id());
-      for (unsigned i = 0; i < on_face.size(); ++i) {
-        if (element().face_system_to_component_index(i).first != held) continue;
-        supports_.add_line(on_face[i]);
-        if (held == dim - 1) base.insert(on_face[i]);
-      }
-    }
-  supports_.close();
-  base_dofs_.assign(base.begin(), base.end());
+  held_ = supports_.held_dofs(placed_cells(), element(), geometry_.mapping());
+  standing_.clear();
+  for (const HeldDof& dof : held_)
+    standing_.add_line(dof.index);
+  standing_.close();
   dealii::DynamicSparsityPattern pattern(dofs_.n_dofs());
-  dealii::DoFTools::make_sparsity_pattern(dofs_, pattern, supports_, false);
+  dealii::DoFTools::make_sparsity_pattern(dofs_, pattern, standing_, false);
   tangent_.clear();
   sparsity_.copy_from(pattern);
   tangent_.reinit(sparsity_);

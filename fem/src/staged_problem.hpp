@@ -18,17 +18,20 @@
 #include "elasticity.hpp"
 #include "formulation.hpp"
 #include "history.hpp"
+#include "loading.hpp"
 #include "placement.hpp"
 #include "settle/exchange/case.hpp"
+#include "supports.hpp"
 
 namespace settle::fem {
 
 /// How near to equilibrium a solve came.
 struct Equilibrium {
-  std::vector<double> residuals; ///< |unbalanced force| / |external force| at free degrees of freedom, at the start and
-                                 ///< after each solve; infinite where a point would be turned inside out [-]
+  std::vector<double> residuals; ///< |unbalanced force| at free degrees of freedom / |load|, once supports are where
+                                 ///< they are moved to, and after each further solve; infinite where a point would be
+                                 ///< turned inside out [-]
   unsigned linear_solves = 0;
-  double base_reaction = 0; ///< positive upward [N/m or N]
+  double base_reaction = 0; ///< of all that is held vertically, positive upward [N/m or N]
 
   [[nodiscard]] double out_of_balance() const { return residuals.back(); }
   [[nodiscard]] bool reached() const;
@@ -45,9 +48,10 @@ public:
 
   /// Places a layer on those below: stress-free, its displacement counted from here.
   void activate(int layer);
-  /// Finds the displacement increment that balances the weight of all layers below and `gravity_factor` times that of
-  /// the layer activated last, by Newton's method with a line search. Changes no history.
-  Equilibrium solve(double gravity_factor);
+  /// Finds the displacement increment that brings the layer activated last to a share of its stage, in balance with
+  /// what loads the body and with supports where the motion has them, by Newton's method with a line search. Changes no
+  /// history.
+  Equilibrium solve(double share);
   /// Adds the increment just found to the history: the only place where that changes once a cell is placed.
   void accept();
 
@@ -62,21 +66,32 @@ public:
   [[nodiscard]] const Elasticity& constants() const { return constants_; }
   [[nodiscard]] double density() const { return density_; }
   [[nodiscard]] double gravity() const { return gravity_; }
+  [[nodiscard]] const Loading& loading() const { return loading_; }
   /// Cells placed so far.
   [[nodiscard]] std::vector<Cell> placed_cells() const;
   /// Of a layer that is placed [kg/m or kg].
   [[nodiscard]] double mass(int layer) const;
 
 private:
-  [[nodiscard]] dealii::FEValues<dim> cell_values() const;
+  [[nodiscard]] dealii::FEValues<dim> cell_values() const { return cell_values(quadrature_); }
+  [[nodiscard]] dealii::FEValues<dim> cell_values(const dealii::Quadrature<dim>& quadrature) const;
   [[nodiscard]] Trial<dim> trial_of(const Cell& cell, const dealii::FEValues<dim>& values) const;
 
   void distribute_dofs();
   void fix_supports();
 
   void factorize_tangent();
-  void assemble_forces(double gravity_factor);
-  bool correct_increment(double gravity_factor, Equilibrium& equilibrium);
+  void assemble_external();
+  void assemble_unbalanced();
+  [[nodiscard]] std::vector<dealii::Tensor<1, dim>> force_per_volume(const Cell& cell,
+                                                                     const dealii::FEValues<dim>& values) const;
+  [[nodiscard]] dealii::Vector<double> prescribed_increment() const;
+  [[nodiscard]] dealii::Vector<double> tangent_times(const dealii::Vector<double>& increment) const;
+  void move_supports(Equilibrium& equilibrium);
+  bool correct_increment(Equilibrium& equilibrium);
+  [[nodiscard]] dealii::Vector<double> newton_step(dealii::Vector<double> forces);
+  [[nodiscard]] double unbalanced_force() const;
+  [[nodiscard]] double load() const;
   [[nodiscard]] double out_of_balance() const;
   [[nodiscard]] double base_reaction() const;
 
@@ -84,17 +99,21 @@ private:
   std::unique_ptr<Formulation<dim>> formulation_;
   double density_; ///< [kg/m3]
   double gravity_; ///< [m/s2]
-  int layer_ = 0;  ///< the layer activated last
+  Loading loading_;
+  Supports<dim> supports_;
+  Progress reached_, target_; ///< as accepted last, and of the increment that is being solved for
+  double largest_load_ = 0.0; ///< of the increments accepted in this stage [N]
 
   dealii::Triangulation<dim> mesh_;
   dealii::hp::FECollection<dim> elements_; ///< 0: placed; 1: not placed
   dealii::QGauss<dim> quadrature_;
+  dealii::Quadrature<dim> load_quadrature_; ///< for external forces
   dealii::DoFHandler<dim> dofs_;
   History<dim> history_;
   PlacedGeometry<dim> geometry_;
 
-  dealii::AffineConstraints<double> supports_;
-  std::vector<dealii::types::global_dof_index> base_dofs_; ///< vertical, at the base
+  std::vector<HeldDof> held_;
+  dealii::AffineConstraints<double> standing_; ///< all that is held stays where it is
   dealii::SparsityPattern sparsity_;
   dealii::SparseMatrix<double> tangent_;
   dealii::SparseDirectUMFPACK inverse_;

@@ -159,7 +159,8 @@ TYPED_TEST(DistortedMesh, BodyForcesAddUpToForceTimesVolume) {
   per_volume[dim - 1] = -3.0;
   double total = 0.0;
   this->for_each_cell([&](const auto&) {
-    const dealii::Vector<double> force = body_force(this->values, per_volume);
+    const dealii::Vector<double> force =
+        body_force(this->values, std::vector(this->values.n_quadrature_points, per_volume));
     for (unsigned i = 0; i < force.size(); ++i)
       total += this->element.system_to_component_index(i).first == dim - 1 ? force[i] : std::abs(force[i]);
   });

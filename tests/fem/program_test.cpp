@@ -107,6 +107,51 @@ TEST_F(Program, OnlyChecksWhenAsked) {
   EXPECT_EQ(std::distance(fs::directory_iterator(file("")), fs::directory_iterator()), 1); // the case alone
 }
 
+/// A triangle on a square: in the triangle cells meet in threes.
+constexpr const char* house = R"(
+format = 1
+title = "house"
+gravity = 9.81
+[geometry]
+shape = "polygons"
+dimension = 2
+[[geometry.polygon]]
+corners = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]
+[[geometry.polygon]]
+layer = 2
+corners = [[0.0, 1.0], [1.0, 1.0], [0.5, 2.0]]
+[material.fill]
+law = "rate"
+youngs_modulus = 400e3
+poissons_ratio = 0.25
+density = 1720.0
+[construction]
+layers = 2
+convention = "drop"
+material = "fill"
+[[support]]
+from = [0.0, 0.0]
+to = [1.0, 0.0]
+[probes.axis]
+from = [0.5, 0.0]
+to = [0.5, 2.0]
+points = 5
+[fem]
+element_size = 0.25
+)";
+
+TEST_F(Program, SolvesPolygonsAndDrawsThem) {
+  std::ofstream(file("house.toml")) << house;
+  EXPECT_THAT(run("house.toml --check").output, HasSubstr("can run this case: 2 layers, 51 cells"));
+  const Outcome outcome = run("house.toml --out result.h5 --vtu pictures");
+  ASSERT_EQ(outcome.code, 0) << outcome.output;
+  const exchange::Stage last = exchange::read_result(file("result.h5")).stages.back();
+  EXPECT_EQ(last.points.size(), 51U * 4U);
+  EXPECT_NEAR(last.base_reaction, 1720 * 9.81 * 1.5, 1e-6);
+  EXPECT_EQ(last.probes.at("axis").layer, (std::vector<int>{1, 1, 1, 2, 2, 2}));
+  EXPECT_TRUE(fs::exists(file("pictures") / "stage_0002.vtu"));
+}
+
 TEST_F(Program, SolvesAtFiniteStrainWhenAskedAndSaysSo) {
   const Outcome outcome = run("column.toml --out result.h5 --quiet --set fem.kinematics=finite "
                               "--set construction.convention=level-up");

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "frozen_column.hpp"
+#include "settle/exchange/case_io.hpp"
 #include "settle/exchange/errors.hpp"
 
 namespace settle::fem::testing {
@@ -92,6 +93,68 @@ TEST(Requirements, DropAtFiniteStrainIsASingleLayerOnly) {
 TEST(Requirements, LayersOnTheSettledSurfaceAreAcceptedAtFiniteStrain) {
   EXPECT_EQ(complaint_about(at_finite_strain(exchange::Convention::floating, 5)), "");
   EXPECT_EQ(complaint_about(at_finite_strain(exchange::Convention::level_up, 5)), "");
+}
+
+/// A rectangle of two layers as polygons, rollers on its base.
+exchange::Case polygons(const std::vector<std::string>& overrides = {}) {
+  return exchange::parse_case(R"(
+format = 1
+title = "rectangle"
+gravity = 9.81
+[material.fill]
+law = "hencky"
+youngs_modulus = 400e3
+poissons_ratio = 0.25
+density = 1720.0
+[construction]
+layers = 2
+convention = "drop"
+material = "fill"
+[geometry]
+shape = "polygons"
+dimension = 2
+[[geometry.polygon]]
+layer = 1
+corners = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]
+[[geometry.polygon]]
+layer = 2
+corners = [[0.0, 1.0], [1.0, 1.0], [0.5, 2.0]]
+[[support]]
+from = [0.0, 0.0]
+to = [1.0, 0.0]
+[fem]
+element_size = 0.25
+)",
+                              "polygons.toml", overrides);
+}
+
+TEST(Requirements, PolygonsAreDividedIntoCells) {
+  EXPECT_EQ(complaint_about(polygons()), "");
+  EXPECT_EQ(number_of_cells(polygons()),
+            6U * 4U + 3U * 3U * 3U); // a face of the triangle is sqrt(1.25)/0.25 = 4.5 long
+  EXPECT_EQ(number_of_cells(column({.layers = 5, .width = 0.25})), 2U * 40U);
+}
+
+TEST(Requirements, LayersOfPolygonsAtFiniteStrainAreRefusedWithWhatToUse) {
+  EXPECT_THAT(complaint_about(polygons({"fem.kinematics=finite"})),
+              AllOf(HasSubstr("polygons.toml:11"), HasSubstr("cannot build layers of polygons"),
+                    HasSubstr("a mesh cannot close the gap"), HasSubstr("construction.layers = 2"),
+                    HasSubstr("fem.kinematics = \"small\""), HasSubstr("settle-mpm")));
+}
+
+TEST(Requirements, ASupportBesideTheBodyIsRefused) {
+  exchange::Case study = polygons();
+  study.supports[0].from = {0.0, -0.001};
+  study.supports[0].to = {1.0, -0.001};
+  EXPECT_THAT(complaint_about(study),
+              AllOf(HasSubstr("support.0 holds no node of the mesh"), HasSubstr("from (0, -0.001) to (1, -0.001)"),
+                    HasSubstr("corner to corner")));
+}
+
+TEST(Requirements, PolygonsThatCannotBeMeshedAreRefused) {
+  exchange::Case study = polygons();
+  study.geometry.polygons[1].corners = {{0, 1}, {1, 1}, {1, 1.5}, {0.5, 2}, {0, 1.5}};
+  EXPECT_THAT(complaint_about(study), HasSubstr("divide it into triangles and quadrilaterals"));
 }
 
 class EveryConvention : public ::testing::TestWithParam<exchange::Convention> {};
