@@ -30,6 +30,10 @@ double field_value(const Arrays& arrays, std::size_t i, Quantity quantity) {
     return arrays.stress[i * stress_components + vertical];
   case Quantity::lateral_stress:
     return arrays.stress[i * stress_components];
+  case Quantity::shear_stress:
+    return arrays.stress[i * stress_components + 3];
+  case Quantity::displacement: // several components: not one value
+  case Quantity::stress:
   case Quantity::density:
   case Quantity::base_reaction:
   case Quantity::mass:
@@ -52,6 +56,9 @@ bool is_field(Quantity quantity) {
   case Quantity::settlement:
   case Quantity::vertical_stress:
   case Quantity::lateral_stress:
+  case Quantity::displacement:
+  case Quantity::shear_stress:
+  case Quantity::stress:
     return true;
   case Quantity::density:
   case Quantity::base_reaction:
@@ -100,6 +107,9 @@ FieldSamples table_samples(const ReferenceTable& table, int stage, Quantity quan
       return table.vertical_stress[i];
     case Quantity::lateral_stress:
       return table.lateral_stress[i];
+    case Quantity::displacement:
+    case Quantity::shear_stress:
+    case Quantity::stress:
     case Quantity::density:
     case Quantity::base_reaction:
     case Quantity::mass:
@@ -128,6 +138,10 @@ double value_of(const ColumnState& state, Quantity quantity) {
     return state.lateral_stress;
   case Quantity::density:
     return state.density;
+  case Quantity::shear_stress:
+    return 0.0;
+  case Quantity::displacement:
+  case Quantity::stress:
   case Quantity::base_reaction:
   case Quantity::mass:
     return no_value;
