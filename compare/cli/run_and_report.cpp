@@ -44,7 +44,7 @@ FinishedCampaign run_due(const Campaign& campaign, const Plan& plan, const RunOp
     write_outcome(outcome, options.folder);
     write_report(outcome, options.folder);
   } catch (const exchange::Error&) { // a full disk, for instance: the verdicts are known all the same
-    display.end(ExitCode::file_failed, end.summary, "none");
+    display.end(ExitCode::file_failed, end.summary, "");
     throw;
   }
   return end;
@@ -82,9 +82,9 @@ ExitCode run_and_report(Campaign campaign, const RunningOptions& options, const 
   auto fingerprint = fingerprint_of(campaign, plan);
   auto end = fingerprint ? finished_before(folder, *fingerprint) : std::nullopt;
   if (!end) {
-    const RunOptions run_options{.folder = folder,
-                                 .jobs = options.jobs,
-                                 .on_progress = [&](const Progress& progress) { display->progress(progress); }};
+    const RunOptions run_options{.folder = folder, .jobs = options.jobs, .on_progress = [&](const Progress& progress) {
+                                   display->progress(progress);
+                                 }};
     end = run_due(campaign, plan, run_options, command_line, *display);
     look_again(plan, false);
     fingerprint = fingerprint_of(campaign, plan);

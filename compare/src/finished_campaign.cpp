@@ -61,9 +61,9 @@ std::optional<std::string> fingerprint_of(const Campaign& campaign, const Plan& 
 
 std::optional<FinishedCampaign> finished_before(const fs::path& folder, const std::string& fingerprint) {
   std::error_code failure;
-  const bool is_complete = fs::exists(note_in(folder), failure) &&
-                           std::all_of(written.begin(), written.end(),
-                                       [&](const char* name) { return fs::exists(folder / name, failure); });
+  const bool is_complete =
+      fs::exists(note_in(folder), failure) &&
+      std::all_of(written.begin(), written.end(), [&](const char* name) { return fs::exists(folder / name, failure); });
   if (!is_complete) return {};
   try {
     const json noted = json::parse(read_text(note_in(folder)));
@@ -76,9 +76,8 @@ std::optional<FinishedCampaign> finished_before(const fs::path& folder, const st
 }
 
 void note_finished(const fs::path& folder, const std::string& fingerprint, const FinishedCampaign& end) {
-  const json note{{"fingerprint", fingerprint},
-                  {"exit_code", static_cast<int>(end.exit_code)},
-                  {"summary", end.summary}};
+  const json note{
+      {"fingerprint", fingerprint}, {"exit_code", static_cast<int>(end.exit_code)}, {"summary", end.summary}};
   write_text(note_in(folder), note.dump(2, ' ', false, json::error_handler_t::replace) + "\n");
 }
 

@@ -29,7 +29,8 @@ std::string host_name() {
   return gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "unknown";
 }
 
-/// When a process started, in the kernel's ticks, so that its number given to another is noticed; 0 where there is none.
+/// When a process started, in the kernel's ticks, so that its number given to another is noticed; 0 where there is
+/// none, or one that has ended and waits to be reaped.
 unsigned long long start_of(pid_t process) {
   std::ifstream file(fmt::format("/proc/{}/stat", process));
   std::stringstream content;
@@ -38,9 +39,10 @@ unsigned long long start_of(pid_t process) {
   const auto name_end = text.rfind(')'); // a name may hold anything
   if (name_end == std::string::npos) return 0;
   std::istringstream fields(text.substr(name_end + 1));
-  constexpr int before_start = 19; // state is field 3, the start is field 22 (proc(5))
-  std::string skipped;
-  for (int i = 0; i < before_start; ++i)
+  constexpr int between = 18; // the state is field 3, the start is field 22 (proc(5))
+  std::string state, skipped;
+  if (!(fields >> state) || state == "Z" || state == "X") return 0;
+  for (int i = 0; i < between; ++i)
     fields >> skipped;
   unsigned long long start = 0;
   fields >> start;
@@ -63,8 +65,7 @@ Holder holder_of(const fs::path& file) {
 }
 
 void write_holder(int descriptor) {
-  const std::string text =
-      fmt::format("{} {} {} {}\n", getpid(), start_of(getpid()), host_name(), exchange::utc_now());
+  const std::string text = fmt::format("{} {} {} {}\n", getpid(), start_of(getpid()), host_name(), exchange::utc_now());
   if (ftruncate(descriptor, 0) != 0) return; // a full disk: the lock holds without the text
   [[maybe_unused]] const auto written = pwrite(descriptor, text.data(), text.size(), 0);
 }
@@ -113,12 +114,12 @@ bool take_over(int descriptor, const fs::path& file) {
 }
 
 [[noreturn]] void throw_locked(const fs::path& folder, const Holder& holder) {
-  throw exchange::InputError({.where = folder.string(),
-                              .what = "another campaign is at work in this folder",
-                              .given = fmt::format("process {} on {}, since {}", holder.process, holder.host,
-                                                   holder.since),
-                              .allowed = "one campaign at a time",
-                              .remedy = "wait for its end, or choose another folder with --out"});
+  throw exchange::InputError(
+      {.where = folder.string(),
+       .what = "another campaign is at work in this folder",
+       .given = fmt::format("process {} on {}, since {}", holder.process, holder.host, holder.since),
+       .allowed = "one campaign at a time",
+       .remedy = "wait for its end, or choose another folder with --out"});
 }
 
 } // namespace

@@ -41,8 +41,8 @@ double memory_of(pid_t process) {
 
 double machine_memory() {
   const double physical = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
-  return std::min({physical, allowed_by("/sys/fs/cgroup/memory.max"),
-                   allowed_by("/sys/fs/cgroup/memory/memory.limit_in_bytes")});
+  return std::min(
+      {physical, allowed_by("/sys/fs/cgroup/memory.max"), allowed_by("/sys/fs/cgroup/memory/memory.limit_in_bytes")});
 }
 
 } // namespace settle::compare

@@ -66,10 +66,10 @@ Campaign campaign_of(const Shard& shard, Campaign campaign, const std::vector<Ex
   std::erase_if(campaign.figures, [&](const Figure& figure) { return !is_possible(figure, names); });
   std::erase_if(campaign.published, [&](const Published& number) { return !names.contains(number.run); });
   campaign.title += fmt::format(" (shard {} of {})", shard.index, shard.count);
-  campaign.description +=
-      fmt::format("{}This is shard {} of {}: {} of {} runs; {} of {} figures need runs of other shards and are left out.",
-                  campaign.description.empty() ? "" : "\n\n", shard.index, shard.count, runs.size(), all_runs,
-                  figures - campaign.figures.size(), figures);
+  campaign.description += fmt::format(
+      "{}This is shard {} of {}: {} of {} runs; {} of {} figures need runs of other shards and are left out.",
+      campaign.description.empty() ? "" : "\n\n", shard.index, shard.count, runs.size(), all_runs,
+      figures - campaign.figures.size(), figures);
   return campaign;
 }
 

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "command_line.hpp"
+#include "settle/exchange/case_io.hpp"
 
 namespace settle::compare::test {
 namespace {
@@ -103,8 +104,8 @@ TEST_F(CampaignEngine, ACampaignThatHasChangedIsJudgedAgainWithoutRunning) {
 TEST_F(CampaignEngine, AnInterruptedCampaignLeavesNoReportOfAnEarlierState) {
   ASSERT_EQ(campaign().code, 0);
   play("mpm", "kill -KILL $PPID; sleep 5");
-  const auto shell = folder.script("killed", fmt::format("'{}' campaign '{}' --out '{}'; true", SETTLE_PROGRAM,
-                                                         file.string(), out().string()));
+  const auto shell = folder.script(
+      "killed", fmt::format("'{}' campaign '{}' --out '{}'; true", SETTLE_PROGRAM, file.string(), out().string()));
   run_program(shell, {});
   for (const std::string name : {"outcome.json", "verdicts.json", "junit.xml", "report.html", "finished.json"}) {
     EXPECT_FALSE(fs::exists(out() / name)) << name;
@@ -131,9 +132,10 @@ TEST_F(CampaignEngine, TwoCampaignsInOneFolderAreKeptApart) {
 TEST_F(CampaignEngine, WhatAKilledCampaignHasLeftRunningIsEndedByTheNext) {
   const auto survivor = folder.path() / "survivor";
   // The grandchild leaves the group and outlives its parents, with the lock.
-  play("mpm", fmt::format("setsid sh -c 'sleep 3; touch {}' & sleep 0.2; kill -KILL $PPID; sleep 5", survivor.string()));
-  const auto shell = folder.script("killed", fmt::format("'{}' campaign '{}' --out '{}' -j 1; true", SETTLE_PROGRAM,
-                                                         file.string(), out().string()));
+  play("mpm",
+       fmt::format("setsid sh -c 'sleep 3; touch {}' & sleep 0.2; kill -KILL $PPID; sleep 5", survivor.string()));
+  const auto shell = folder.script(
+      "killed", fmt::format("'{}' campaign '{}' --out '{}' -j 1; true", SETTLE_PROGRAM, file.string(), out().string()));
   run_program(shell, {});
   play_perfect("mpm");
   const Answer answer = campaign();
@@ -148,7 +150,7 @@ TEST_F(CampaignEngine, ProgressForProgramsIsOneJsonObjectALine) {
   std::istringstream lines(run_program(shell, {}).text);
   std::map<std::string, int> events;
   json last;
-  for (std::string line; std::getline(lines, line); ++events[last.at("event")])
+  for (std::string line; std::getline(lines, line); ++events[last.at("event").get<std::string>()])
     last = json::parse(line);
   EXPECT_EQ(events, (std::map<std::string, int>{{"started", 6}, {"ended", 6}, {"campaign ended", 1}}));
   EXPECT_EQ(last.at("exit_code"), 0);

@@ -33,9 +33,10 @@ protected:
 
 TEST_F(FailingMachine, ASolverThatAllocatesWithoutEndIsStoppedAndTheCampaignGoesOn) {
   play("mpm", "x=x; while :; do x=$x$x; done");
-  const auto file = folder.file("greedy.toml", "format = 1\n[[run]]\nname = \"column\"\ncase = \"column.toml\"\n"
-                                               "memory_limit = 60e6\n[[run]]\nname = \"other\"\ncase = \"column.toml\"\n"
-                                               "solvers = [\"fem\"]\n");
+  const auto file =
+      folder.file("greedy.toml", "format = 1\n[[run]]\nname = \"column\"\ncase = \"column.toml\"\n"
+                                 "memory_limit = 60e6\n[[run]]\nname = \"other\"\ncase = \"column.toml\"\n"
+                                 "solvers = [\"fem\"]\n");
   const Answer answer = settle({"campaign", file.string(), "--out", out().string()});
   EXPECT_EQ(answer.code, 3);
   EXPECT_THAT(answer.text, AllOf(HasSubstr("mpm out of memory"), HasSubstr("memory limit of 0.06 GB")));
@@ -54,7 +55,7 @@ TEST_F(FailingMachine, AResultOfAnotherVersionIsToldFromGarbage) {
 }
 
 TEST_F(FailingMachine, AFolderThatCannotBeCreatedIsExitCodeFour) {
-  folder.file("out", "a file, not a folder");
+  std::ofstream(out()) << "a file, not a folder";
   const Answer answer = campaign();
   EXPECT_EQ(answer.code, 4);
   EXPECT_THAT(answer.text, AllOf(HasSubstr("folder cannot be created"), HasSubstr("--out")));
@@ -87,7 +88,8 @@ private:
 
 TEST_F(SmallDisk, ThatIsFullIsAVerdictTheCampaignGoesOnAndIsFinishedLater) {
   play("mpm", "case \"$out\" in *column*) exec dd if=/dev/zero of=\"$out.partial\" bs=64k >/dev/null ;; esac\n"
-              "cp " + prepared("mpm").string() + " \"$out\"");
+              "cp " +
+                  prepared("mpm").string() + " \"$out\"");
   const Answer answer = campaign();
   EXPECT_EQ(answer.code, 4);
   EXPECT_THAT(answer.text, AllOf(HasSubstr("mpm disk full"), HasSubstr("no space left")));
@@ -98,7 +100,8 @@ TEST_F(SmallDisk, ThatIsFullIsAVerdictTheCampaignGoesOnAndIsFinishedLater) {
 }
 
 TEST_F(SmallDisk, ThatLeavesNoSpaceForTheReportStillShowsTheVerdicts) {
-  play("fem", "cp " + prepared("fem").string() + " \"$out\"; dd if=/dev/zero of=\"$out.rest\" bs=4k >/dev/null 2>&1; true");
+  play("fem",
+       "cp " + prepared("fem").string() + " \"$out\"; dd if=/dev/zero of=\"$out.rest\" bs=4k >/dev/null 2>&1; true");
   const Answer answer = run_case();
   EXPECT_EQ(answer.code, 4);
   EXPECT_THAT(answer.text, AllOf(HasSubstr("largest settlement"), HasSubstr("column")));

@@ -59,10 +59,9 @@ protected:
     std::string titles;
     for (int i = 1; i <= runs_; ++i)
       titles += fmt::format("{}\"{}\"", i > 1 ? ", " : "", i);
-    file_ = folder.file("campaign.toml",
-                        fmt::format("format = 1\ntitle = \"Many\"\n[[run]]\nname = \"run {{title}}\"\n"
-                                    "case = \"column.toml\"\nmatrix = {{ title = [{}] }}\n",
-                                    titles));
+    file_ = folder.file("campaign.toml", fmt::format("format = 1\ntitle = \"Many\"\n[[run]]\nname = \"run {{title}}\"\n"
+                                                     "case = \"column.toml\"\nmatrix = {{ title = [{}] }}\n",
+                                                     titles));
     // Slowly enough to be killed in the middle of it; cp does not write and rename.
     play("fem", "sleep 0.02; head -c 5000 " + prepared("fem").string() + " > \"$out\"; sleep 0.01; cp " +
                     prepared("fem").string() + " \"$out\"");
@@ -107,8 +106,8 @@ protected:
   void expect_finished_like(const fs::path& undisturbed) const {
     for (int i = 1; i <= runs_; ++i) {
       const fs::path run = out() / "runs" / fmt::format("run_{}", i);
-      const auto study = exchange::parse_case(exchange::read_result(run / "mpm.h5").case_text, "result");
-      EXPECT_EQ(study.title, std::to_string(i)); // it is this run's
+      const auto solved = exchange::parse_case(exchange::read_result(run / "mpm.h5").case_text, "result");
+      EXPECT_EQ(solved.title, std::to_string(i)); // it is this run's
       for (const auto& entry : fs::directory_iterator(run))
         EXPECT_NE(entry.path().extension(), ".partial") << entry.path();
     }

@@ -18,12 +18,12 @@ namespace settle::compare {
 
 /// The state of a campaign at the start or the end of a solver run.
 struct Progress {
-  std::size_t finished = 0, total = 0;  ///< solver runs
-  std::vector<std::string> running;     ///< "RUN, SOLVER"
-  std::optional<double> seconds_left;   ///< by what was measured, now and the last time; nothing where nothing was
-  std::string run, solver;              ///< which have just started or ended
-  Reason reason = Reason::never_run;    ///< why it is run, or not
-  const SolverRun* ended = nullptr;     ///< what has just ended, valid during the call only; nullptr: it has started
+  std::size_t finished = 0, total = 0; ///< solver runs
+  std::vector<std::string> running;    ///< "RUN, SOLVER"
+  std::optional<double> seconds_left;  ///< by what was measured, now and the last time; nothing where nothing was
+  std::string run, solver;             ///< which have just started or ended
+  Reason reason = Reason::never_run;   ///< why it is run, or not
+  const SolverRun* ended = nullptr;    ///< what has just ended, valid during the call only; nullptr: it has started
 };
 
 /// Keeps count and tells somebody, one thread at a time.
