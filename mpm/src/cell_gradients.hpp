@@ -44,7 +44,7 @@ public:
   template <class Action>
   void for_each_patch(Action&& action) const {
     if constexpr (Space::has_constant_gradients) {
-      action(Patch<Space>{points_, full_cells() ? body_.space.cell_volume() : points_volume(), common_.gradients});
+      action(Patch<Space>{points_, integration_volume(body_, points_volume()), common_.gradients});
     } else {
       for (std::size_t p = points_.first; p < points_.last; ++p) {
         const auto gradients = gradients_at(p);
@@ -85,10 +85,8 @@ private:
 
   void collect_common_part() {
     const double volume = points_volume();
-    if (full_cells())
-      volume_ratio_ = body_.space.cell_volume() / volume;
-    else
-      common_.gradients.setZero();
+    volume_ratio_ = integration_volume(body_, volume) / volume;
+    if (!full_cells()) common_.gradients.setZero();
     for (std::size_t p = points_.first; p < points_.last; ++p) {
       const Stencil own = body_.space.stencil(cell_, body_.points, p);
       const double weight = full_cells() ? body_.points.volume[p] / volume : 0.0;
