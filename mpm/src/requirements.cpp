@@ -41,6 +41,18 @@ void require_known_element(const exchange::Case& study) {
                               .remedy = "set mpm.element to one of these"});
 }
 
+void require_basis_of_the_element(const exchange::Case& study) {
+  const auto linear = exchange::Basis::linear;
+  const auto triangle = exchange::MpmElement::triangle, quadrilateral = exchange::MpmElement::quadrilateral;
+  if (study.mpm.element != triangle || study.mpm.basis == linear) return;
+  throw exchange::InputError(
+      {.where = study.where("mpm.basis"),
+       .what = fmt::format("the basis {} is one of quadrilaterals", quoted(study.mpm.basis)),
+       .given = fmt::format("{} with mpm.element = {}", quoted(study.mpm.basis), quoted(triangle)),
+       .allowed = fmt::format("{} with this element", quoted(linear)),
+       .remedy = fmt::format("set mpm.element = {}, or mpm.basis = {}", quoted(quadrilateral), quoted(linear))});
+}
+
 /// Triangles take three points, quadrilaterals the square of 2, 3 or 4: a single one does not resist hourglassing.
 void require_points_that_fit(const exchange::Case& study) {
   const int count = study.mpm.points_per_element.value_or(0);
@@ -73,8 +85,7 @@ void require_solvable(const exchange::Case& study) {
   require(study, {"geometry.dimension", std::to_string(study.geometry.dimension), "2"});
   require_known_element(study);
   require_points_that_fit(study);
-  if (study.mpm.element == exchange::MpmElement::triangle)
-    require(study, {"mpm.basis", quoted(study.mpm.basis), quoted(exchange::Basis::linear)});
+  require_basis_of_the_element(study);
   require_law_that_fits(study);
   exchange::count_elements(study, "mpm.element_size", study.mpm.element_size);
 }

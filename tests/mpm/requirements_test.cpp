@@ -29,7 +29,13 @@ TEST(Requirements, ThePapersColumnCanBeRun) {
 TEST(Requirements, NamesTheKeyItsPlaceAndTheValueThatCanBeRun) {
   expect_refused({"geometry.dimension=3"}, "--set geometry.dimension=3", "set geometry.dimension = 2");
   expect_refused({"mpm.element=tetrahedron"}, "--set mpm.element=tetrahedron", "\"triangle\" or \"quadrilateral\"");
-  expect_refused({"mpm.basis=gimp"}, "--set mpm.basis=gimp", "set mpm.basis = \"linear\"");
+}
+
+TEST(Requirements, SmoothBasesAreThoseOfQuadrilaterals) {
+  for (const std::string basis : {"gimp", "b-spline"}) {
+    expect_refused({"mpm.basis=" + basis}, "--set mpm.basis=" + basis, "set mpm.element = \"quadrilateral\"");
+    EXPECT_NO_THROW(require_solvable(paper_column({"mpm.basis=" + basis, "mpm.element=quadrilateral"})));
+  }
 }
 
 TEST(Requirements, ATriangleTakesThreePointsAndAQuadrilateralASquareOfThem) {

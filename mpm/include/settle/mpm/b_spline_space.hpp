@@ -10,9 +10,9 @@
 namespace settle::mpm {
 
 /// Tensor products of quadratic B-splines on the lines between the squares, the first and the last of which are knots
-/// three times over (open knot vector; de Boor 1978). A line of n squares carries n + 2 functions, three in each square.
-/// They sum to one and reproduce linear fields of the node positions (Greville's); on a side of the grid only the
-/// functions of the nodes on that side differ from zero, so that what a support fixes there is fixed exactly. Every
+/// three times over (open knot vector; de Boor 1978). A line of n squares carries n + 2 functions, three in each
+/// square. They sum to one and reproduce linear fields of the node positions (Greville's); on a side of the grid only
+/// the functions of the nodes on that side differ from zero, so that what a support fixes there is fixed exactly. Every
 /// square is a cell; its nodes are numbered row by row, from the lower left. A space as described in spaces.hpp.
 class BSplineSpace : public SquareGrid {
 public:
@@ -72,9 +72,7 @@ private:
   static Line at(double s, const Ends& e) {
     return line((1 - s) * (1 - s) / e.lower, s * s / e.upper, -2 * (1 - s) / e.lower, 2 * s / e.upper);
   }
-  static Line average(const Ends& e) {
-    return line(1 / (3 * e.lower), 1 / (3 * e.upper), -1 / e.lower, 1 / e.upper);
-  }
+  static Line average(const Ends& e) { return line(1 / (3 * e.lower), 1 / (3 * e.upper), -1 / e.lower, 1 / e.upper); }
 
   [[nodiscard]] Stencil product(int cell, const Line& x, const Line& y) const {
     const int first = column_of(cell) + node_columns() * row_of(cell);
