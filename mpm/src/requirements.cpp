@@ -1,5 +1,7 @@
 #include "settle/mpm/requirements.hpp"
 
+#include <cmath>
+
 #include <fmt/format.h>
 
 #include "settle/exchange/errors.hpp"
@@ -79,6 +81,23 @@ void require_law_that_fits(const exchange::Case& study) {
   if (study.mpm.jaumann) refuse("mpm.jaumann");
 }
 
+/// Full cells distribute their force over all functions, points move only what they feel of it: where there are fewer
+/// points side by side than functions, an explicit stage does not come to rest.
+void require_points_that_feel_all_splines(const exchange::Case& study, int across) {
+  const auto& mpm = study.mpm;
+  if (mpm.basis != exchange::Basis::b_spline || mpm.integration != exchange::Integration::mixed ||
+      mpm.scheme != exchange::Scheme::explicit_dynamic)
+    return;
+  const int points = across * static_cast<int>(std::lround(std::sqrt(*mpm.points_per_element)));
+  if (points >= across + 2) return;
+  throw exchange::InputError(
+      {.where = study.where("mpm.integration"),
+       .what = "B-splines over full cells do not come to rest with fewer points across the width than functions",
+       .given = fmt::format("{} points, {} functions across {} element", points, across + 2, across),
+       .allowed = "as many points as functions, or another integration or scheme",
+       .remedy = "set mpm.integration = \"points\", mpm.points_per_element = 9, or take a wider column"});
+}
+
 } // namespace
 
 void require_solvable(const exchange::Case& study) {
@@ -87,7 +106,8 @@ void require_solvable(const exchange::Case& study) {
   require_points_that_fit(study);
   require_basis_of_the_element(study);
   require_law_that_fits(study);
-  exchange::count_elements(study, "mpm.element_size", study.mpm.element_size);
+  const auto counts = exchange::count_elements(study, "mpm.element_size", study.mpm.element_size);
+  require_points_that_feel_all_splines(study, counts.across);
 }
 
 } // namespace settle::mpm

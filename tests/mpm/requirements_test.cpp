@@ -38,6 +38,18 @@ TEST(Requirements, SmoothBasesAreThoseOfQuadrilaterals) {
   }
 }
 
+TEST(Requirements, SplinesOverFullCellsNeedAsManyPointsAsFunctionsAcrossInTheExplicitScheme) {
+  const Overrides explicit_splines{"mpm.integration=mixed", "mpm.element=quadrilateral", "mpm.basis=b-spline",
+                                   "mpm.scheme=explicit", "mpm.points_per_element=4"};
+  expect_refused(explicit_splines, "--set mpm.integration=mixed", "2 points, 3 functions");
+  for (const char* change :
+       {"mpm.integration=points", "mpm.points_per_element=9", "geometry.width=0.25", "mpm.scheme=quasi-static"}) {
+    Overrides changed = explicit_splines;
+    changed.emplace_back(change);
+    EXPECT_NO_THROW(require_solvable(paper_column(changed))) << change;
+  }
+}
+
 TEST(Requirements, ATriangleTakesThreePointsAndAQuadrilateralASquareOfThem) {
   expect_refused({"mpm.points_per_element=4"}, "--set mpm.points_per_element=4", "set mpm.points_per_element = 3");
   for (const char* count : {"4", "9", "16"})
