@@ -6,6 +6,7 @@
 
 #include "command.hpp"
 #include "settle/compare/campaign_run.hpp"
+#include "settle/compare/exact_solution.hpp"
 #include "settle/compare/field_samples.hpp"
 #include "settle/compare/judge.hpp"
 #include "settle/compare/legs.hpp"
@@ -36,6 +37,22 @@ SolverRun as_solver(const std::string& file, const std::string& name) {
   return run;
 }
 
+/// What is compared where nobody asks for anything: all there is of a column; of a body of polygons what its case
+/// knows.
+std::vector<Quantity> quantities_of(const exchange::Case& study, bool with_exact) {
+  if (study.geometry.shape == exchange::Shape::column) {
+    return {Quantity::settlement, Quantity::vertical_stress, Quantity::lateral_stress,
+            Quantity::density,    Quantity::base_reaction,   Quantity::mass};
+  }
+  std::vector<Quantity> known;
+  const auto exact = exact_solution(study, exchange::Kinematics::finite);
+  for (const Quantity quantity : {Quantity::displacement, Quantity::stress, Quantity::vertical_stress,
+                                  Quantity::shear_stress, Quantity::base_reaction, Quantity::mass}) {
+    if (!with_exact || exact->lacks(quantity).empty()) known.push_back(quantity);
+  }
+  return known;
+}
+
 /// The comparisons that make sense between two sides: with the exact solution over points, and over probes where there
 /// are some; between two results over probes, the only material points they have in common.
 std::vector<Check> comparisons(const RunOutcome& run, const std::string& a, const std::string& b) {
@@ -50,14 +67,15 @@ std::vector<Check> comparisons(const RunOutcome& run, const std::string& a, cons
   };
   const bool with_exact = b == "exact";
   const bool probes = !with_exact || !run.solvers.front().result->stages.back().probes.empty();
-  for (const Quantity quantity : {Quantity::settlement, Quantity::vertical_stress, Quantity::lateral_stress}) {
+  for (const Quantity quantity : quantities_of(run.study, with_exact)) {
+    if (!is_field(quantity)) {
+      add(quantity, Norm::l2, Over::automatic);
+      continue;
+    }
     for (const Norm norm : {Norm::l2, Norm::linf}) {
       if (with_exact) add(quantity, norm, Over::points);
       if (probes) add(quantity, norm, Over::probes);
     }
-  }
-  for (const Quantity quantity : {Quantity::density, Quantity::base_reaction, Quantity::mass}) {
-    add(quantity, Norm::l2, Over::automatic);
   }
   return checks;
 }

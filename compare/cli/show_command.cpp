@@ -6,6 +6,7 @@
 #include "settle/compare/column_law.hpp"
 #include "settle/compare/exact_column.hpp"
 #include "settle/exchange/case_io.hpp"
+#include "settle/exchange/plane_geometry.hpp"
 
 namespace settle::compare::cli {
 namespace {
@@ -20,8 +21,17 @@ std::string exact_figures(const exchange::Case& study, exchange::Kinematics kine
                      column.base_stress(last) / 1e3, column.mean_density(last), column.surface_height(last));
 }
 
+std::string figures_of_body(const exchange::Case& study) {
+  std::string text = fmt::format("# constrained modulus M = {:.6g} Pa\n# unit weight gamma_0 = {:.6g} N/m3\n",
+                                 ColumnLaw(study.fill()).constrained_modulus(), study.fill().density * study.gravity);
+  for (int layer = 1; layer <= study.construction.layers; ++layer)
+    text += fmt::format("# layer {}: {:.6g} m2\n", layer, exchange::layer_area(study.geometry, layer));
+  return text;
+}
+
 /// As TOML comments, so that what is shown is a case file.
 std::string derived_figures(const exchange::Case& study) {
+  if (study.geometry.shape == exchange::Shape::polygons) return figures_of_body(study);
   const double height = study.geometry.height;
   std::string text = fmt::format("# constrained modulus M = {:.6g} Pa\n# unit weight gamma_0 = {:.6g} N/m3\n"
                                  "# layer thickness {:.6g} m\n# Eq. (1), largest settlement {:.6f} m\n",

@@ -48,8 +48,12 @@ struct ExactColumn::Impl {
   [[nodiscard]] double design_level(int layer) const { return layer * thickness; }
   void place(int layer);
   [[nodiscard]] Layer position_of(int layer) const;
-  [[nodiscard]] ColumnState small_state(int layer, double xi, int stage) const;
-  [[nodiscard]] ColumnState finite_state(int layer, double xi, int stage) const;
+  [[nodiscard]] ColumnState small_state(double h, double settlement, double overburden) const;
+  [[nodiscard]] ColumnState finite_state(double placed_height, double below, double total, double surcharge) const;
+  [[nodiscard]] ColumnState small_at(int layer, double xi, int stage, double surcharge) const;
+  [[nodiscard]] ColumnState finite_at(int layer, double xi, int stage, double surcharge) const;
+  [[nodiscard]] ColumnState small_in_thin_layers(double h) const;
+  [[nodiscard]] ColumnState finite_in_thin_layers(double h) const;
   [[nodiscard]] double ramp_weight(int stage, double factor) const;
   [[nodiscard]] RampState ramp_state(int stage, double factor, double weight) const;
 };
@@ -95,14 +99,7 @@ Layer ExactColumn::Impl::position_of(int layer) const {
   return design;
 }
 
-/// Geometry frozen: a layer strains everything below it, and itself, over the design heights.
-ColumnState ExactColumn::Impl::small_state(int layer, double xi, int stage) const {
-  const double base = design_level(layer - 1);
-  const double local = xi * thickness;
-  const double h = base + local;
-  const double top = design_level(stage);
-  const double settlement = unit_weight / law.constrained_modulus() * (h * (top - base) - 0.5 * local * local);
-  const double overburden = unit_weight * (top - h);
+ColumnState ExactColumn::Impl::small_state(double h, double settlement, double overburden) const {
   const double lateral_ratio = material.poissons_ratio / (1.0 - material.poissons_ratio);
   return {.placed_height = h,
           .height = h - settlement,
@@ -112,20 +109,51 @@ ColumnState ExactColumn::Impl::small_state(int layer, double xi, int stage) cons
           .density = material.density};
 }
 
-ColumnState ExactColumn::Impl::finite_state(int layer, double xi, int stage) const {
-  const std::size_t k = index(layer);
-  const double local = xi * placed[k].thickness;
-  const double below = base_stresses[k - 1] + unit_weight * local; // weight per area below the point
-  const double total = base_stresses[index(stage)];
-  const double overburden = total - below;
-  const double height = (law.integral(total) - law.integral(overburden)) / unit_weight;
-  const double placed_height = placed[k].base + local;
+/// A point with so much weight per area below it, in a column of the weight `total` under a surcharge.
+ColumnState ExactColumn::Impl::finite_state(double placed_height, double below, double total, double surcharge) const {
+  const double overburden = total - below + surcharge;
+  const double height = (law.integral(total + surcharge) - law.integral(overburden)) / unit_weight;
   return {.placed_height = placed_height,
           .height = height,
           .settlement = placed_height - height,
           .vertical_stress = -overburden,
           .lateral_stress = law.lateral_stress(overburden),
           .density = material.density / law.stretch(overburden)};
+}
+
+/// Geometry frozen: a layer strains everything below it, and itself, over the design heights.
+ColumnState ExactColumn::Impl::small_at(int layer, double xi, int stage, double surcharge) const {
+  const double base = design_level(layer - 1);
+  const double local = xi * thickness;
+  const double h = base + local;
+  const double top = design_level(stage);
+  const double own = unit_weight / law.constrained_modulus() * (h * (top - base) - 0.5 * local * local);
+  return small_state(h, own + surcharge / law.constrained_modulus() * h, unit_weight * (top - h) + surcharge);
+}
+
+ColumnState ExactColumn::Impl::finite_at(int layer, double xi, int stage, double surcharge) const {
+  const std::size_t k = index(layer);
+  const double local = xi * placed[k].thickness;
+  const double below = base_stresses[k - 1] + unit_weight * local; // weight per area below the point
+  return finite_state(placed[k].base + local, below, base_stresses[index(stage)], surcharge);
+}
+
+/// Eq. (1) of Aviles & Pinyol (2023).
+ColumnState ExactColumn::Impl::small_in_thin_layers(double h) const {
+  const double above = design_level(layers) - h;
+  return small_state(h, unit_weight / law.constrained_modulus() * h * above, unit_weight * above);
+}
+
+/// A thin layer is placed when the column below it has the weight b: with its surface at the design level h where
+/// settlement is made up for, b = inverse_integral(gamma_0 h), else b = gamma_0 h.
+ColumnState ExactColumn::Impl::finite_in_thin_layers(double h) const {
+  const bool is_made_up = convention == Convention::refill || convention == Convention::level_up;
+  const auto weight_below = [&](double level) {
+    return is_made_up ? law.inverse_integral(unit_weight * level) : unit_weight * level;
+  };
+  const double below = weight_below(h);
+  const double placed_height = convention == Convention::floating ? law.integral(below) / unit_weight : h;
+  return finite_state(placed_height, below, weight_below(design_level(layers)), 0.0);
 }
 
 RampState ExactColumn::Impl::ramp_state(int stage, double factor, double weight) const {
@@ -158,10 +186,15 @@ double ExactColumn::Impl::ramp_weight(int stage, double factor) const {
 ExactColumn::ExactColumn(const exchange::Case& study, Kinematics kinematics)
     : impl_(std::make_shared<const Impl>(study, kinematics)) {}
 
-ColumnState ExactColumn::at(int layer, double xi, int stage) const {
+ColumnState ExactColumn::at(int layer, double xi, int stage, double surcharge) const {
   SETTLE_ASSERT(1 <= layer && layer <= stage && stage <= impl_->layers, layer, stage, impl_->layers);
-  return impl_->kinematics == Kinematics::small ? impl_->small_state(layer, xi, stage)
-                                                : impl_->finite_state(layer, xi, stage);
+  return impl_->kinematics == Kinematics::small ? impl_->small_at(layer, xi, stage, surcharge)
+                                                : impl_->finite_at(layer, xi, stage, surcharge);
+}
+
+ColumnState ExactColumn::in_thin_layers(double design_height) const {
+  return impl_->kinematics == Kinematics::small ? impl_->small_in_thin_layers(design_height)
+                                                : impl_->finite_in_thin_layers(design_height);
 }
 
 double ExactColumn::relative_height(int layer, double placed_height) const {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numbers>
 #include <numeric>
 
 namespace settle::compare {
@@ -20,31 +21,67 @@ struct Arrays {
   std::size_t dim;
 };
 
-/// Components in the order xx yy zz xy yz xz; gravity along the last axis of the space.
-double field_value(const Arrays& arrays, std::size_t i, Quantity quantity) {
-  const std::size_t vertical = arrays.dim - 1;
-  switch (quantity) {
-  case Quantity::settlement:
-    return -arrays.displacement[i * arrays.dim + vertical];
-  case Quantity::vertical_stress:
-    return arrays.stress[i * stress_components + vertical];
-  case Quantity::lateral_stress:
-    return arrays.stress[i * stress_components];
-  case Quantity::density:
-  case Quantity::base_reaction:
-  case Quantity::mass:
-    return no_value;
-  }
-  return no_value;
+MaterialState state_of(const Arrays& arrays, std::size_t i) {
+  MaterialState state;
+  for (std::size_t d = 0; d < arrays.dim; ++d)
+    state.displacement[d] = arrays.displacement[i * arrays.dim + d];
+  for (std::size_t c = 0; c < stress_components; ++c)
+    state.stress[c] = arrays.stress[i * stress_components + c];
+  return state;
+}
+
+void append(FieldSamples& samples, const FieldSamples& more) {
+  for (std::size_t i = 0; i < more.size(); ++i)
+    samples.add(more, i);
+}
+
+/// Normal components, then shear components by sqrt(2).
+void append_tensor(const std::array<double, stress_components>& stress, int dimension, std::vector<double>& values) {
+  values.insert(values.end(), stress.begin(), stress.begin() + 3);
+  const std::size_t end = dimension == 3 ? stress_components : 4;
+  for (std::size_t c = 3; c < end; ++c)
+    values.push_back(std::numbers::sqrt2 * stress[c]);
 }
 
 } // namespace
 
 void FieldSamples::add(const FieldSamples& other, std::size_t i) {
+  const std::size_t count = other.components();
   layer.push_back(other.layer[i]);
+  x.push_back(other.x[i]);
   height.push_back(other.height[i]);
-  value.push_back(other.value[i]);
+  for (std::size_t c = 0; c < count; ++c)
+    value.push_back(other.value[i * count + c]);
   weight.push_back(other.weight[i]);
+}
+
+std::vector<Quantity> usual_fields(const exchange::Case& study) {
+  if (study.geometry.shape == exchange::Shape::polygons) return {Quantity::displacement, Quantity::stress};
+  return {Quantity::settlement, Quantity::vertical_stress};
+}
+
+/// Gravity along the last axis of the space.
+void append_field(const MaterialState& state, int dimension, Quantity quantity, std::vector<double>& values) {
+  const auto vertical = static_cast<std::size_t>(dimension - 1);
+  switch (quantity) {
+  case Quantity::settlement:
+    return values.push_back(-state.displacement[vertical]);
+  case Quantity::displacement:
+    values.insert(values.end(), state.displacement.begin(), state.displacement.begin() + dimension);
+    return;
+  case Quantity::vertical_stress:
+    return values.push_back(state.stress[vertical]);
+  case Quantity::lateral_stress:
+    return values.push_back(state.stress[0]);
+  case Quantity::shear_stress:
+    return values.push_back(state.stress[3]);
+  case Quantity::stress:
+    return append_tensor(state.stress, dimension, values);
+  case Quantity::density:
+  case Quantity::base_reaction:
+  case Quantity::mass:
+    return values.push_back(no_value);
+  }
 }
 
 bool is_field(Quantity quantity) {
@@ -52,6 +89,9 @@ bool is_field(Quantity quantity) {
   case Quantity::settlement:
   case Quantity::vertical_stress:
   case Quantity::lateral_stress:
+  case Quantity::displacement:
+  case Quantity::shear_stress:
+  case Quantity::stress:
     return true;
   case Quantity::density:
   case Quantity::base_reaction:
@@ -69,25 +109,32 @@ FieldSamples point_samples(const exchange::Stage& stage, int dimension, Quantity
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (points.refilled[i] != 0) continue;
     samples.layer.push_back(points.layer[i]);
+    samples.x.push_back(points.placed_position[i * dim]);
     samples.height.push_back(points.placed_position[i * dim + dim - 1]);
-    samples.value.push_back(field_value(arrays, i, quantity));
+    append_field(state_of(arrays, i), dimension, quantity, samples.value);
     samples.weight.push_back(points.volume[i]);
   }
   return samples;
 }
 
-FieldSamples probe_samples(const exchange::Stage& stage, int dimension, Quantity quantity) {
+FieldSamples line_samples(const exchange::ProbeSamples& line, int dimension, Quantity quantity) {
   const auto dim = static_cast<std::size_t>(dimension);
+  const Arrays arrays{line.displacement, line.stress, dim};
   FieldSamples samples;
-  for (const auto& [name, line] : stage.probes) {
-    const Arrays arrays{line.displacement, line.stress, dim};
-    for (std::size_t i = 0; i < line.size(); ++i) {
-      samples.layer.push_back(line.layer[i]);
-      samples.height.push_back(line.design_position[i * dim + dim - 1]);
-      samples.value.push_back(field_value(arrays, i, quantity));
-      samples.weight.push_back(1.0);
-    }
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    samples.layer.push_back(line.layer[i]);
+    samples.x.push_back(line.design_position[i * dim]);
+    samples.height.push_back(line.design_position[i * dim + dim - 1]);
+    append_field(state_of(arrays, i), dimension, quantity, samples.value);
+    samples.weight.push_back(1.0);
   }
+  return samples;
+}
+
+FieldSamples probe_samples(const exchange::Stage& stage, int dimension, Quantity quantity) {
+  FieldSamples samples;
+  for (const auto& [name, line] : stage.probes)
+    append(samples, line_samples(line, dimension, quantity));
   return samples;
 }
 
@@ -100,6 +147,9 @@ FieldSamples table_samples(const ReferenceTable& table, int stage, Quantity quan
       return table.vertical_stress[i];
     case Quantity::lateral_stress:
       return table.lateral_stress[i];
+    case Quantity::displacement:
+    case Quantity::shear_stress:
+    case Quantity::stress:
     case Quantity::density:
     case Quantity::base_reaction:
     case Quantity::mass:
@@ -111,6 +161,7 @@ FieldSamples table_samples(const ReferenceTable& table, int stage, Quantity quan
   for (std::size_t i = 0; i < table.size(); ++i) {
     if (table.stage[i] != stage) continue;
     samples.layer.push_back(table.layer[i]);
+    samples.x.push_back(0.0);
     samples.height.push_back(table.placed_height[i]);
     samples.value.push_back(column(i));
     samples.weight.push_back(table.volume[i]);
@@ -128,6 +179,10 @@ double value_of(const ColumnState& state, Quantity quantity) {
     return state.lateral_stress;
   case Quantity::density:
     return state.density;
+  case Quantity::shear_stress:
+    return 0.0;
+  case Quantity::displacement:
+  case Quantity::stress:
   case Quantity::base_reaction:
   case Quantity::mass:
     return no_value;
@@ -142,6 +197,7 @@ FieldSamples averaged_by_height(const FieldSamples& samples, double tolerance) {
     if (samples.layer[a] != samples.layer[b]) return samples.layer[a] < samples.layer[b];
     return samples.height[a] < samples.height[b];
   });
+  const std::size_t count = samples.components();
   FieldSamples rows;
   for (const std::size_t i : order) {
     const bool same_row =
@@ -151,7 +207,10 @@ FieldSamples averaged_by_height(const FieldSamples& samples, double tolerance) {
       continue;
     }
     const double total = rows.weight.back() + samples.weight[i];
-    rows.value.back() += (samples.value[i] - rows.value.back()) * samples.weight[i] / total;
+    for (std::size_t c = 0; c < count; ++c) {
+      double& mean = rows.value[(rows.size() - 1) * count + c];
+      mean += (samples.value[i * count + c] - mean) * samples.weight[i] / total;
+    }
     rows.weight.back() = total;
   }
   return rows;

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "settle/compare/legs.hpp"
+#include "settle/compare/error_budget.hpp"
 #include "settle/compare/reference_table.hpp"
 #include "settle/exchange/errors.hpp"
 

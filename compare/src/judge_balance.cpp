@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "settle/compare/exact_solution.hpp"
 #include "settle/compare/judge.hpp"
 
 namespace settle::compare {
@@ -48,7 +49,10 @@ std::vector<Audit> mass_audits(double gravity, const exchange::Used& used) {
       {"mass of all points = mass", summed, "mass", "round-off of density x volume over many steps",
        [used](const Stage& stage, const Stage*) { return relative(point_mass(stage, used), stage.mass); }},
       {"weight = gravity x mass", round_off, "weight", "the same quantity: round-off",
-       [gravity](const Stage& stage, const Stage*) { return relative(gravity * stage.mass, stage.weight); }},
+       [gravity](const Stage& stage, const Stage*) {
+         const bool weightless = gravity == 0.0 && stage.weight == 0.0;
+         return weightless ? 0.0 : relative(gravity * stage.mass, stage.weight);
+       }},
   };
 }
 
@@ -132,14 +136,26 @@ Verdict judge_equilibrium(const RunOutcome& run, const std::string& solver, cons
 }
 
 /// A stage held for a given time is judged by its base reaction; whether it met the equilibrium criteria is its result.
+/// A motion in time that is integrated in time is not meant to come to rest.
 bool asks_for_equilibrium(const exchange::Case& study, const std::string& solver) {
-  return !is_explicit(study, solver) || !study.mpm.explicit_dynamic.hold.has_value();
+  if (!is_explicit(study, solver)) return true;
+  return !study.mpm.explicit_dynamic.hold.has_value() && !runs_in_time(study);
 }
 
 } // namespace
 
+bool runs_in_time(const exchange::Case& study) {
+  return study.motion && study.motion->duration;
+}
+
 bool is_unheld(const exchange::Case& study, const std::string& solver) {
   return is_explicit(study, solver) && study.mpm.explicit_dynamic.hold == 0.0;
+}
+
+std::string reaction_unaudited(const exchange::Case& study, const std::string& solver) {
+  if (is_unheld(study, solver)) return "its stages end out of equilibrium on purpose";
+  if (!(study.gravity > 0.0)) return "there is no gravity";
+  return other_load_of(study);
 }
 
 std::vector<Verdict> judge_balance(const RunOutcome& run) {
@@ -154,7 +170,7 @@ std::vector<Verdict> judge_balance(const RunOutcome& run) {
     if (asks_for_equilibrium(run.study, solver.solver)) {
       verdicts.push_back(judge_equilibrium(run, solver.solver, result));
     }
-    if (!is_unheld(run.study, solver.solver)) {
+    if (reaction_unaudited(run.study, solver.solver).empty()) {
       verdicts.push_back(judge_audit(run, solver.solver, result, reaction_audit(run.study, solver.solver)));
     }
   }

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "convergence_study.hpp"
+#include "settle/compare/field_samples.hpp"
 #include "settle/compare/judge.hpp"
 
 namespace settle::compare {
@@ -13,7 +14,6 @@ namespace settle::compare {
 using exchange::Convergence;
 using exchange::ErrorAgainst;
 using exchange::ExpectedConvergence;
-using exchange::Quantity;
 
 namespace {
 
@@ -108,9 +108,9 @@ void judge_study(const ConvergenceStudy& study, Family& family) {
   if (study.expected.above_fit_at_most) family.verdicts.push_back(scatter_verdict(family, study));
 }
 
-/// Settlement and stress of a solver of which the case expects nothing.
+/// The usual fields of a solver of which the case expects nothing.
 void add_unexpected(const Levels& levels, const std::string& solver, Family& family) {
-  for (const Quantity quantity : {Quantity::settlement, Quantity::vertical_stress}) {
+  for (const exchange::Quantity quantity : usual_fields(levels.front()->study)) {
     ExpectedConvergence open;
     open.solver = solver;
     open.quantity = quantity;

@@ -4,7 +4,7 @@
 #include <numeric>
 
 #include "leg_side.hpp"
-#include "settle/compare/exact_column.hpp"
+#include "settle/compare/exact_solution.hpp"
 
 namespace settle::compare {
 
@@ -16,13 +16,6 @@ double scalar_of(const exchange::Stage& stage, Quantity quantity) {
   if (quantity == Quantity::mass) return stage.mass;
   if (quantity == Quantity::base_reaction) return stage.base_reaction;
   return stage.mass / std::accumulate(stage.points.volume.begin(), stage.points.volume.end(), 0.0);
-}
-
-double scalar_of(const ExactColumn& column, const exchange::Case& study, int stage, Quantity quantity) {
-  const double area = study.geometry.width * (study.geometry.dimension == 3 ? study.geometry.depth.value_or(1.0) : 1.0);
-  if (quantity == Quantity::mass) return column.base_stress(stage) * area / study.gravity;
-  if (quantity == Quantity::base_reaction) return column.base_stress(stage) * area;
-  return column.mean_density(stage);
 }
 
 double scalar_of(const ReferenceTable& table, int stage, Quantity quantity) {
@@ -38,10 +31,8 @@ double scalar_of(const ReferenceTable& table, int stage, Quantity quantity) {
 
 double scalar_side(const RunOutcome& run, const std::string& name, const LegRequest& request) {
   switch (side_of(run, name)) {
-  case Side::exact: {
-    const ExactColumn column(run.study, kinematics_of(run, request.value));
-    return scalar_of(column, run.study, request.stage, request.quantity);
-  }
+  case Side::exact:
+    return exact_solution(run.study, kinematics_of(run, request.value))->scalar(request.quantity, request.stage);
   case Side::table:
     return scalar_of(run.references.at(name), request.stage, request.quantity);
   case Side::solver:
@@ -50,16 +41,19 @@ double scalar_side(const RunOutcome& run, const std::string& name, const LegRequ
   return std::nan("");
 }
 
+std::string obstacle(const RunOutcome& run, const LegRequest& request) {
+  const bool table = side_of(run, request.value) == Side::table || side_of(run, request.reference) == Side::table;
+  if (table && request.quantity == Quantity::base_reaction) return "a reference table has no base reaction";
+  if (side_of(run, request.reference) != Side::exact) return {};
+  return exact_solution(run.study, kinematics_of(run, request.value))->lacks(request.quantity);
+}
+
 } // namespace
 
 LegSamples scalar_leg(const RunOutcome& run, const LegRequest& request) {
-  const bool table = side_of(run, request.value) == Side::table || side_of(run, request.reference) == Side::table;
-  if (table && request.quantity == Quantity::base_reaction) {
-    LegSamples nothing;
-    nothing.problem = "a reference table has no base reaction";
-    return nothing;
-  }
   LegSamples leg;
+  leg.problem = obstacle(run, request);
+  if (!leg.problem.empty()) return leg;
   leg.value = {scalar_side(run, request.value, request)};
   leg.reference = {scalar_side(run, request.reference, request)};
   leg.weight = {1.0};

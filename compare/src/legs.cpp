@@ -6,6 +6,7 @@
 
 #include "leg_scalars.hpp"
 #include "leg_side.hpp"
+#include "settle/compare/exact_solution.hpp"
 #include "settle/compare/field_samples.hpp"
 
 namespace settle::compare {
@@ -34,10 +35,16 @@ FieldSamples samples_of(const RunOutcome& run, const std::string& name, const Le
                               : point_samples(stage, result.used.dimension, request.quantity);
 }
 
+/// Appends a sample's components.
+void append(const FieldSamples& samples, std::size_t i, std::vector<double>& values) {
+  const auto first = samples.value.begin() + static_cast<std::ptrdiff_t>(i * samples.components());
+  values.insert(values.end(), first, first + static_cast<std::ptrdiff_t>(samples.components()));
+}
+
 LegSamples against_exact(const RunOutcome& run, const LegRequest& request, Over over) {
+  const auto exact = exact_solution(run.study, kinematics_of(run, request.value));
+  if (std::string problem = exact->lacks(request.quantity); !problem.empty()) return nothing(std::move(problem));
   const FieldSamples samples = samples_of(run, request.value, request, over);
-  const ExactColumn column(run.study, kinematics_of(run, request.value));
-  const double thickness = run.study.layer_thickness();
   LegSamples leg;
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const int layer = samples.layer[i];
@@ -45,12 +52,25 @@ LegSamples against_exact(const RunOutcome& run, const LegRequest& request, Over 
       return nothing(fmt::format("{} has a point in layer {} at stage {}", request.value, layer, request.stage));
     }
     if (!wanted(request, layer)) continue;
-    const double xi = over == Over::probes ? samples.height[i] / thickness - (layer - 1)
-                                           : column.relative_height(layer, samples.height[i]);
-    leg.value.push_back(samples.value[i]);
-    leg.reference.push_back(value_of(column.at(layer, xi, request.stage), request.quantity));
+    const MaterialPoint point{
+        .layer = layer, .x = samples.x[i], .height = samples.height[i], .as_placed = over != Over::probes};
+    append(samples, i, leg.value);
+    append_field(exact->at(point, request.stage), run.study.geometry.dimension, request.quantity, leg.reference);
     leg.weight.push_back(samples.weight[i]);
   }
+  return leg;
+}
+
+/// A solver beside itself: its values are their own reference.
+LegSamples against_itself(const RunOutcome& run, const LegRequest& request, Over over) {
+  const FieldSamples samples = samples_of(run, request.value, request, over);
+  LegSamples leg;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    if (!wanted(request, samples.layer[i])) continue;
+    append(samples, i, leg.value);
+    leg.weight.push_back(samples.weight[i]);
+  }
+  leg.reference = leg.value;
   return leg;
 }
 
@@ -72,8 +92,8 @@ LegSamples matched_by_height(const RunOutcome& run, const LegRequest& request) {
     const double gap = both ? values.height[i] - references.height[j] : 0.0;
     if (both && layers == 0 && std::abs(gap) <= tolerance) {
       if (wanted(request, values.layer[i])) {
-        leg.value.push_back(values.value[i]);
-        leg.reference.push_back(references.value[j]);
+        append(values, i, leg.value);
+        append(references, j, leg.reference);
         leg.weight.push_back(values.weight[i]);
       }
       ++i, ++j;
@@ -98,20 +118,33 @@ LegSamples matched_probes(const RunOutcome& run, const LegRequest& request) {
     return nothing(fmt::format("{} has {} probes at stage {}, {} has {}", request.value, values.size(), request.stage,
                                request.reference, references.size()));
   }
-  const double tolerance = 1e-9 * run.study.geometry.height;
+  const double tolerance = 1e-9 * (run.study.geometry.width + run.study.geometry.height);
   LegSamples leg;
   for (std::size_t i = 0; i < values.size(); ++i) {
-    const double gap = std::abs(values.height[i] - references.height[i]);
+    const double gap = std::hypot(values.x[i] - references.x[i], values.height[i] - references.height[i]);
     if (values.layer[i] != references.layer[i] || !(gap <= tolerance)) {
       return nothing(fmt::format("probe {} is not the same material point for {} and {}", i + 1, request.value,
                                  request.reference));
     }
     if (!wanted(request, values.layer[i])) continue;
-    leg.value.push_back(values.value[i]);
-    leg.reference.push_back(references.value[i]);
+    append(values, i, leg.value);
+    append(references, i, leg.reference);
     leg.weight.push_back(1.0);
   }
   return leg;
+}
+
+/// Why points of the two sides cannot be told to be the same; empty where their heights tell it.
+std::string obstacle_to_matching(const RunOutcome& run, const LegRequest& request) {
+  if (run.study.geometry.shape == exchange::Shape::polygons) {
+    return "points of two sides are matched by their height, which means something in a column only: compare them "
+           "over probes";
+  }
+  const bool with_table = side_of(run, request.reference) == Side::table || side_of(run, request.value) == Side::table;
+  const bool known = request.quantity == Quantity::settlement || request.quantity == Quantity::vertical_stress ||
+                     request.quantity == Quantity::lateral_stress;
+  if (!with_table || known) return {};
+  return fmt::format("a reference table has no {}", name_of(request.quantity));
 }
 
 } // namespace
@@ -139,34 +172,16 @@ LegSamples leg_samples(const RunOutcome& run, const LegRequest& request) {
   }
   if (!is_field(request.quantity)) return scalar_leg(run, request);
   const Over over = place_of(run, request);
-  if (side_of(run, request.reference) == Side::exact) return against_exact(run, request, over);
+  const bool with_exact = side_of(run, request.reference) == Side::exact;
+  if (request.value == request.reference) return against_itself(run, request, over);
+  if (!with_exact || side_of(run, request.value) == Side::table) {
+    std::string obstacle = over == Over::points ? obstacle_to_matching(run, request) : std::string();
+    if (!obstacle.empty()) return nothing(std::move(obstacle));
+  }
+  if (with_exact) return against_exact(run, request, over);
   if (over == Over::points) return matched_by_height(run, request);
   if (side_of(run, request.reference) == Side::table) return nothing("a reference table has no probes");
   return matched_probes(run, request);
-}
-
-std::vector<DifferenceSplit> difference_splits(const RunOutcome& run) {
-  std::vector<DifferenceSplit> splits;
-  for (const Quantity quantity : {Quantity::settlement, Quantity::vertical_stress}) {
-    LegRequest request{.value = "mpm", .reference = "exact", .quantity = quantity, .over = Over::probes};
-    request.stage = run.study.construction.layers;
-    const LegSamples mpm = leg_samples(run, request);
-    request.value = "fem";
-    const LegSamples fem = leg_samples(run, request);
-    request.value = "mpm";
-    request.reference = "fem";
-    const LegSamples total = leg_samples(run, request);
-    const LegSamples model{.value = mpm.reference, .reference = fem.reference, .weight = fem.weight};
-    if (mpm.size() == 0 || mpm.size() != fem.size() || total.size() != mpm.size()) continue;
-    const double scale = norm_of(fem.reference, fem.weight, exchange::Norm::l2);
-    const auto part = [scale](const LegSamples& leg) { return relative_norm(leg, exchange::Norm::l2, scale).value; };
-    splits.push_back({.quantity = quantity,
-                      .total = part(total),
-                      .mpm_error = part(mpm),
-                      .model_difference = part(model),
-                      .fem_error = part(fem)});
-  }
-  return splits;
 }
 
 } // namespace settle::compare

@@ -9,9 +9,12 @@ namespace {
 std::string unit_of(Quantity quantity) {
   switch (quantity) {
   case Quantity::settlement:
+  case Quantity::displacement:
     return "m";
   case Quantity::vertical_stress:
   case Quantity::lateral_stress:
+  case Quantity::shear_stress:
+  case Quantity::stress:
     return "Pa";
   case Quantity::density:
     return "kg/m3";

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "polygon_construction.hpp"
 #include "settle/exchange/errors.hpp"
 #include "settle/exchange/fitting_size.hpp"
 #include "settle/mpm/spaces.hpp"
@@ -17,20 +18,25 @@ PointLayout layout_of(const exchange::Case& study) {
   return lattice_layout(static_cast<int>(std::lround(std::sqrt(*study.mpm.points_per_element))));
 }
 
+GridBox grid_in_column(const exchange::Case& study) {
+  const auto counts = exchange::count_elements(study, "mpm.element_size", study.mpm.element_size);
+  return {.columns = counts.across,
+          .rows = counts.per_layer * study.construction.layers + 1,
+          .size = study.geometry.width / counts.across};
+}
+
 } // namespace
 
 template <class Space>
 Body<Space> empty_body(const exchange::Case& study) {
-  const auto counts = exchange::count_elements(study, "mpm.element_size", study.mpm.element_size);
+  const bool column = study.geometry.shape == exchange::Shape::column;
   const auto& fill = study.fill();
-  const Space space(GridBox{.columns = counts.across,
-                            .rows = counts.per_layer * study.construction.layers + 1,
-                            .size = study.geometry.width / counts.across});
+  const Space space(column ? grid_in_column(study) : grid_around(study));
   Body<Space> body{.space = space,
                    .points = {},
                    .layout = layout_of(study),
                    .cells = {},
-                   .fixed = oedometer_supports(space),
+                   .fixed = column ? oedometer_supports(space) : polygon_supports(study, space),
                    .lame = Lame::from(fill.youngs_modulus, fill.poissons_ratio),
                    .density = fill.density,
                    .integration = study.mpm.integration == exchange::Integration::mixed ? StressIntegration::full_cells

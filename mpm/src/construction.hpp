@@ -9,7 +9,8 @@
 
 namespace settle::mpm {
 
-/// An empty body on the case's grid; one row of squares more than the design height, for the surface to move in.
+/// An empty body on the case's grid; of a column with one row of squares more than the design height, for the surface
+/// to move in; around polygons see polygon_construction.hpp.
 template <class Space>
 Body<Space> empty_body(const exchange::Case& study);
 

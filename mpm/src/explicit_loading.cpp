@@ -27,18 +27,16 @@ template <class Space>
 class Run {
 public:
   Run(Body<Space>& body, const StageLoad& load, const exchange::ExplicitDynamic& settings)
-      : body_(body),
-        settings_(settings), gravity_{.acceleration = load.gravity, .ramped_layer = load.layer, .factor = 0.0},
-        nodes_(static_cast<std::size_t>(body.space.n_nodes())) {}
+      : body_(body), load_(load), settings_(settings), nodes_(static_cast<std::size_t>(body.space.n_nodes())) {}
 
   /// One step, not beyond `dt_max`, with the layer's gravity at `factor`. Returns its length [s].
   double advance(double dt_max, double factor) {
-    gravity_.factor = factor;
+    const Gravity gravity = load_.at(factor);
     const double dt = std::min(dt_max, stable_time_step(body_, settings_.courant));
-    scatter_points(body_, gravity_, nodes_);
+    scatter_points(body_, gravity, nodes_);
     sums_ = update_nodes(body_, settings_.damping, nodes_);
     update_velocity_and_remap(body_, dt, nodes_);
-    const StepEnergy energy = update_stress_and_move(body_, gravity_, dt, nodes_);
+    const StepEnergy energy = update_stress_and_move(body_, gravity, dt, nodes_);
     external_work_ += energy.external_work;
     kinetic_ = energy.kinetic;
     ++steps_;
@@ -58,8 +56,8 @@ public:
 
 private:
   Body<Space>& body_;
+  const StageLoad& load_;
   const exchange::ExplicitDynamic& settings_;
-  Gravity gravity_;
   Nodes<Space::dim> nodes_;
   ForceSums sums_;
   double external_work_ = 0, kinetic_ = 0;

@@ -72,7 +72,7 @@ double move_point(Body<Space>& body, int cell, std::size_t p, const Gravity& gra
     move += stencil.value(i) * nodes[index(stencil.node(i))].displacement;
   for (std::size_t d = 0; d < dim; ++d)
     points.position[d][p] += move[static_cast<int>(d)];
-  return -points.mass[p] * gravity.on(points.layer[p]) * move[dim - 1];
+  return points.mass[p] * gravity.pull(points, p).dot(move);
 }
 
 } // namespace
@@ -105,14 +105,14 @@ void scatter_points(const Body<Space>& body, const Gravity& gravity, Nodes<Space
     const auto [first, last] = points_in(body, cell);
     for (std::size_t p = first; p < last; ++p) {
       const auto stencil = body.space.stencil(cell, points, p);
-      const double g = gravity.on(points.layer[p]);
+      const Vector<dim> pull = gravity.pull(points, p);
       for (int i = 0; i < stencil.size(); ++i) {
         auto& node = nodes[index(stencil.node(i))];
         const double mass = stencil.value(i) * points.mass[p];
         node.mass += mass;
         for (std::size_t d = 0; d < dim; ++d)
           node.momentum[static_cast<int>(d)] += mass * points.velocity[d][p];
-        node.external[dim - 1] -= mass * g;
+        node.external += mass * pull;
       }
     }
   }

@@ -12,9 +12,9 @@ Eigen::VectorXd external_forces(const Body<Space>& body, const Gravity& gravity)
     const auto [first, last] = points_in(body, cell);
     for (std::size_t p = first; p < last; ++p) {
       const auto stencil = body.space.stencil(cell, body.points, p);
-      const double weight = body.points.mass[p] * gravity.on(body.points.layer[p]);
+      const Vector<dim> weight = body.points.mass[p] * gravity.pull(body.points, p);
       for (int i = 0; i < stencil.size(); ++i)
-        forces[dim * stencil.node(i) + dim - 1] -= stencil.value(i) * weight;
+        forces.template segment<dim>(dim * stencil.node(i)) += stencil.value(i) * weight;
     }
   }
   return forces;

@@ -23,13 +23,14 @@ constexpr int max_closing_increments = 200;
        .remedy = "take more mpm.quasi_static.increments, smaller elements, or mpm.scheme = \"explicit\""});
 }
 
-/// Brings the body into equilibrium at this gravity, in halved parts where Newton fails on the whole.
+/// Brings the body into equilibrium at this gravity, in halved parts where Newton fails on the whole, while supports
+/// move by `support_motion`.
 template <class Space>
 void balance(Body<Space>& body, QuasiStaticStep<Space>& step, const StageLoad& load, const Gravity& gravity,
-             StageReport& stage) {
+             StageReport& stage, Eigen::VectorXd support_motion = {}) {
   double fraction = 1.0;
   while (true) {
-    const IncrementReport report = step.advance(body, gravity, fraction);
+    const IncrementReport report = step.advance(body, gravity, fraction, fraction * support_motion);
     stage.linear_solves += report.linear_solves;
     if (!report.converged) {
       fraction *= 0.5;
@@ -40,6 +41,7 @@ void balance(Body<Space>& body, QuasiStaticStep<Space>& step, const StageLoad& l
     stage.out_of_balance = report.out_of_balance;
     stage.base_reaction = report.base_reaction;
     if (fraction >= 1.0) return;
+    support_motion *= 1.0 - fraction; // what is left of it
     fraction = std::min(1.0, 2.0 * fraction);
   }
 }
@@ -50,10 +52,13 @@ template <class Space>
 StageReport load_quasi_static(Body<Space>& body, const StageLoad& load, const exchange::QuasiStatic& settings) {
   QuasiStaticStep<Space> step(settings.residual);
   StageReport stage;
-  Gravity gravity{.acceleration = load.gravity, .ramped_layer = load.layer, .factor = 0.0};
+  const auto share = [&](int increment) { return static_cast<double>(increment) / settings.increments; };
   for (int increment = 1; increment <= settings.increments; ++increment) {
-    gravity.factor = static_cast<double>(increment) / settings.increments;
-    balance(body, step, load, gravity, stage);
+    Eigen::VectorXd support_motion;
+    if (load.drive != nullptr)
+      support_motion = load.drive->support_motion(load.layer, share(increment - 1), share(increment),
+                                                  Space::dim * body.space.n_nodes());
+    balance(body, step, load, load.at(share(increment)), stage, std::move(support_motion));
     if (increment < settings.increments) refill_where_due(body, load.refill);
   }
   for (int k = 0; close_gap(body, load.refill) > 0; ++k) {
@@ -63,7 +68,7 @@ StageReport load_quasi_static(Body<Space>& body, const StageLoad& load, const ex
                                     .given = fmt::format("{} increments at full gravity", k),
                                     .allowed = "",
                                     .remedy = "check youngs_modulus against the weight: the column may be too soft"});
-    balance(body, step, load, gravity, stage);
+    balance(body, step, load, load.at(1.0), stage);
   }
   stage.in_equilibrium = true;
   return stage;

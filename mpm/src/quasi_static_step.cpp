@@ -198,19 +198,25 @@ template <class Space>
 QuasiStaticStep<Space>::~QuasiStaticStep() = default;
 
 template <class Space>
-IncrementReport QuasiStaticStep<Space>::advance(Body<Space>& body, const Gravity& gravity, double fraction) {
+IncrementReport QuasiStaticStep<Space>::advance(Body<Space>& body, const Gravity& gravity, double fraction,
+                                                const Eigen::VectorXd& support_motion) {
   System& system = *system_;
   system.renumber(body);
   const Eigen::VectorXd external = external_forces(body, gravity);
-  const double scale = external.norm();
+  double scale = external.norm();
   Eigen::VectorXd internal(external.size()), displacement = Eigen::VectorXd::Zero(external.size()), target, step;
 
   IncrementReport report;
   for (int iteration = 0; iteration <= max_iterations; ++iteration) {
     if (!system.assemble(body, displacement, internal)) return report;
-    if (iteration == 0) target = internal + fraction * (external - internal);
+    if (iteration == 0) {
+      target = internal + fraction * (external - internal);
+      if (support_motion.size() > 0) displacement = support_motion;
+      if (support_motion.size() > 0 && !system.assemble(body, displacement, internal)) return report;
+      scale = std::max(scale, internal.norm()); // moved supports load as much as weight does
+    }
     const Eigen::VectorXd residual = system.free_part(target - internal);
-    report.residuals.push_back(residual.norm() / scale);
+    report.residuals.push_back(scale > 0.0 ? residual.norm() / scale : 0.0);
     report.out_of_balance = report.residuals.back();
     report.converged = report.out_of_balance <= tolerance_;
     if (report.converged || iteration == max_iterations || !std::isfinite(report.out_of_balance)) break;

@@ -98,6 +98,26 @@ void require_points_that_feel_all_splines(const exchange::Case& study, int acros
        .remedy = "set mpm.integration = \"points\", mpm.points_per_element = 9, or take a wider column"});
 }
 
+/// What polygons and a motion ask for that is not there.
+void require_polygons_that_fit(const exchange::Case& study) {
+  if (study.mpm.element != exchange::MpmElement::quadrilateral)
+    throw exchange::InputError({.where = study.where("mpm.element"),
+                                .what = "polygons are filled by the lattice of a quadrilateral's points",
+                                .given = fmt::format("mpm.element = {}", quoted(study.mpm.element)),
+                                .allowed = quoted(exchange::MpmElement::quadrilateral),
+                                .remedy = "set mpm.element = \"quadrilateral\""});
+  if (study.mpm.scheme == exchange::Scheme::quasi_static) return;
+  for (std::size_t number = 0; number < study.supports.size(); ++number) {
+    if (study.supports[number].motion == exchange::SupportMotion::none) continue;
+    const std::string key = fmt::format("support.{}.motion", number);
+    throw exchange::InputError({.where = study.where(key),
+                                .what = "the explicit scheme holds supports still",
+                                .given = fmt::format("{} = \"exact\" with mpm.scheme = \"explicit\"", key),
+                                .allowed = "\"none\"",
+                                .remedy = "set mpm.scheme = \"quasi-static\""});
+  }
+}
+
 } // namespace
 
 void require_solvable(const exchange::Case& study) {
@@ -106,6 +126,7 @@ void require_solvable(const exchange::Case& study) {
   require_points_that_fit(study);
   require_basis_of_the_element(study);
   require_law_that_fits(study);
+  if (study.geometry.shape == exchange::Shape::polygons) return require_polygons_that_fit(study);
   const auto counts = exchange::count_elements(study, "mpm.element_size", study.mpm.element_size);
   require_points_that_feel_all_splines(study, counts.across);
 }

@@ -1,9 +1,11 @@
 #include "settle/mpm/solver.hpp"
 
 #include <chrono>
+#include <memory>
 #include <type_traits>
 
 #include "construction.hpp"
+#include "polygon_construction.hpp"
 #include "settle/mpm/requirements.hpp"
 #include "settle/mpm/spaces.hpp"
 #include "stage_record.hpp"
@@ -37,19 +39,32 @@ Refill refill_of(const exchange::Case& study, int layer) {
 }
 
 template <class Space>
-StageReport load(const exchange::Case& study, int layer, Body<Space>& body) {
-  const StageLoad stage{.layer = layer, .gravity = study.gravity, .refill = refill_of(study, layer)};
+std::unique_ptr<const Drive> drive_of(const exchange::Case& study, const Space& space) {
+  if (!study.motion) return nullptr;
+  const Inertia inertia = study.mpm.scheme == exchange::Scheme::quasi_static ? Inertia::taken_off : Inertia::felt;
+  return std::make_unique<const Drive>(study, inertia, following_nodes(study, space));
+}
+
+template <class Space>
+StageReport load(const exchange::Case& study, const StageLoad& stage, Body<Space>& body) {
   switch (study.mpm.scheme) {
   case exchange::Scheme::quasi_static:
     return load_quasi_static(body, stage, study.mpm.quasi_static);
   case exchange::Scheme::explicit_dynamic:
     break;
   }
+  if (stage.drive != nullptr && stage.drive->runs_in_time())
+    return run_motion(body, stage, study.mpm.explicit_dynamic.courant);
   return load_explicit(body, stage, study.mpm.explicit_dynamic);
 }
 
 template <class Space>
 void place(const exchange::Case& study, const LayerPlacement& placement, Body<Space>& body) {
+  if (study.geometry.shape == exchange::Shape::polygons) {
+    place_polygons(study, placement.layer, body);
+    body.sort();
+    return;
+  }
   place_layer(body, placement);
   body.sort();
   if (study.construction.convention == exchange::Convention::drop && study.mpm.scheme == exchange::Scheme::quasi_static)
@@ -66,8 +81,9 @@ double refilled_mass(const Points<2>& points, int layer) {
 
 /// One stage: place, load, record.
 template <class Space>
-exchange::Stage build_stage(const exchange::Case& study, int layer, Body<Space>& body,
+exchange::Stage build_stage(const exchange::Case& study, const StageLoad& stage_load, Body<Space>& body,
                             std::vector<LayerPlacement>& placements) {
+  const int layer = stage_load.layer;
   const auto start = std::chrono::steady_clock::now();
   exchange::Stage stage;
   stage.layer = layer;
@@ -75,7 +91,7 @@ exchange::Stage build_stage(const exchange::Case& study, int layer, Body<Space>&
   placements.push_back(placement_of(study, layer, body));
   place(study, placements.back(), body);
   stage.mass_placed = total_mass(body.points) - mass_before;
-  const StageReport report = load(study, layer, body);
+  const StageReport report = load(study, stage_load, body);
   stage.steps = report.steps;
   stage.linear_solves = report.linear_solves;
   stage.out_of_balance = report.out_of_balance;
@@ -109,9 +125,13 @@ void solve(const exchange::Case& study, const exchange::StageSink& sink) {
   require_solvable(study);
   with_space(study, [&]<class Space>(std::type_identity<Space>) {
     Body<Space> body = empty_body<Space>(study);
+    const std::unique_ptr<const Drive> drive = drive_of(study, body.space);
     std::vector<LayerPlacement> placements;
-    for (int layer = 1; layer <= study.construction.layers; ++layer)
-      sink(build_stage(study, layer, body, placements));
+    for (int layer = 1; layer <= study.construction.layers; ++layer) {
+      const StageLoad stage_load{
+          .layer = layer, .gravity = study.gravity, .refill = refill_of(study, layer), .drive = drive.get()};
+      sink(build_stage(study, stage_load, body, placements));
+    }
   });
 }
 

@@ -15,7 +15,7 @@ exchange::SamplePoints sample_points(const Points<2>& points);
 
 /// The case's probes at this stage: linear in placed height between the rows of the layer's own, not refilled points
 /// (all points of a layer at one placed height make a row), continued linearly to the layer's two ends. `placements`
-/// holds the layers placed so far.
+/// holds the layers placed so far. Across polygons: scattered_sampling.hpp.
 std::map<std::string, exchange::ProbeSamples> sample_probes(const exchange::Case& study, const Points<2>& points,
                                                             const std::vector<LayerPlacement>& placements);
 

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "perfect_body.hpp"
 #include "report_fixture.hpp"
 #include "scratch_folder.hpp"
 #include "settle/compare/campaign_io.hpp"
@@ -91,6 +92,62 @@ TEST(RefinementFamily, ThatDoesNotConvergeFailsUnlessThatIsExpected) {
   refinement.expectations[0].verdict = Convergence::diverging;
   EXPECT_EQ(judged(refinement, rising).verdicts.at(0).status, Status::passed);
   EXPECT_EQ(judged(refinement, halving).verdicts.at(0).status, Status::failed);
+}
+
+/// A family of a body of polygons: errors of displacement and stress against their formulas on each level.
+std::vector<RunOutcome> body_family(const exchange::Refinement& refinement, const std::vector<double>& errors) {
+  std::vector<RunOutcome> runs;
+  for (std::size_t i = 0; i < errors.size(); ++i) {
+    exchange::Case study = body_case();
+    study.converge = refinement;
+    study.mpm.element_size = refinement.element_size[i];
+    RunOutcome run = perfect_body_run(study);
+    run.family = "body";
+    run.name = "body level " + std::to_string(i + 1);
+    run.solvers.pop_back();
+    exchange::SamplePoints& points = run.solvers[0].result->stages.back().points;
+    for (double& component : points.displacement)
+      component *= 1.0 + errors[i];
+    for (double& component : points.stress)
+      component *= 1.0 - errors[i];
+    runs.push_back(std::move(run));
+  }
+  return runs;
+}
+
+TEST(RefinementFamily, OfABodyOfPolygonsIsMeasuredAgainstItsFormulas) {
+  exchange::Refinement refinement = halved_three_times();
+  refinement.expectations.push_back(first_order());
+  refinement.expectations[0].quantity = exchange::Quantity::displacement;
+  refinement.expectations[1].quantity = exchange::Quantity::stress;
+  const Family family = families_of(body_family(refinement, halving)).at(0);
+  for (const ConvergenceStudy& study : family.studies) {
+    EXPECT_EQ(study.problem, "");
+    EXPECT_THAT(study.errors, testing::Pointwise(testing::DoubleNear(1e-12), halving));
+  }
+  EXPECT_EQ(worst(family.verdicts), Status::passed);
+}
+
+TEST(RefinementFamily, OfABodyAgainstItselfNeedsNoFormulas) {
+  exchange::Refinement refinement = halved_three_times();
+  refinement.expectations[0].quantity = exchange::Quantity::displacement;
+  refinement.expectations[0].against = ErrorAgainst::self;
+  std::vector<RunOutcome> runs = body_family(refinement, halving);
+  for (RunOutcome& run : runs)
+    run.study.motion.reset();
+  const Family family = families_of(runs).at(0);
+  EXPECT_EQ(family.studies.at(0).problem, "");
+  EXPECT_EQ(worst(family.verdicts), Status::passed);
+}
+
+TEST(RefinementFamily, OfABodyOfWhichNothingIsExpectedFollowsDisplacementAndStress) {
+  exchange::Refinement refinement = halved_three_times();
+  refinement.expectations.clear();
+  const Family family = families_of(body_family(refinement, halving)).at(0);
+  ASSERT_EQ(family.studies.size(), 2U);
+  EXPECT_EQ(family.studies[0].expected.quantity, exchange::Quantity::displacement);
+  EXPECT_EQ(family.studies[1].expected.quantity, exchange::Quantity::stress);
+  EXPECT_EQ(worst(family.verdicts), Status::missing);
 }
 
 TEST(RefinementFamily, HoldsTheFinestErrorAndTheScatterToTheirLimits) {

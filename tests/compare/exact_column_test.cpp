@@ -221,5 +221,49 @@ TEST(ExactColumn, RefusesAFillThatCannotBeKeptAtItsHeight) {
   EXPECT_NO_THROW(ExactColumn(study, Kinematics::finite));
 }
 
+TEST(ExactColumn, ASurchargeOfALayersWeightActsLikeTheLayerPlacedOnIt) {
+  for (const Kinematics kinematics : {Kinematics::finite, Kinematics::small}) {
+    for (const Law law : {Law::rate, Law::hencky, Law::neo_hookean}) {
+      const ExactColumn column(paper_case(5, Convention::floating, law), kinematics);
+      for (const int layer : {1, 3}) {
+        const ColumnState loaded = column.at(layer, 0.3, 3, unit_weight * 1.0);
+        const ColumnState built = column.at(layer, 0.3, 4);
+        EXPECT_NEAR(loaded.settlement, built.settlement, 1e-12);
+        EXPECT_NEAR(loaded.vertical_stress, built.vertical_stress, 1e-8);
+        EXPECT_NEAR(loaded.lateral_stress, built.lateral_stress, 1e-8);
+      }
+    }
+  }
+}
+
+TEST(ExactColumn, ThinLayersHaveTheClosedFormsOfRefillAndOfSmallStrain) {
+  const Case study = paper_case(5, Convention::refill);
+  for (const double h : {0.0, 1.2, 2.5, 5.0}) {
+    EXPECT_NEAR(ExactColumn(study, Kinematics::finite).in_thin_layers(h).settlement,
+                unit_weight * h * (5.0 - h) / (modulus - unit_weight * h), 1e-13);
+    EXPECT_NEAR(ExactColumn(study, Kinematics::small).in_thin_layers(h).settlement, equation_1(study, 1720.0, h),
+                1e-14);
+  }
+}
+
+TEST(ExactColumn, ThinLayersAreTheLimitOfManyAtFirstOrder) {
+  for (const Convention convention :
+       {Convention::refill, Convention::level_up, Convention::floating, Convention::drop}) {
+    for (const Law law : {Law::rate, Law::hencky, Law::neo_hookean}) {
+      const auto deviation = [&](int layers) { // at the top of the layer below mid-height
+        const ExactColumn column(paper_case(layers, convention, law), Kinematics::finite);
+        const ColumnState thin = column.in_thin_layers(2.5), many = column.at(layers / 2, 1.0, layers);
+        EXPECT_NEAR(many.vertical_stress, thin.vertical_stress, 2e5 / layers);
+        return many.settlement - thin.settlement;
+      };
+      if (convention == Convention::drop) {
+        EXPECT_NEAR(deviation(64), 0.0, 1e-12); // a single lift, whatever N
+      } else {
+        EXPECT_NEAR(deviation(64) / deviation(128), 2.0, 0.1) << name_of(convention) << " " << name_of(law);
+      }
+    }
+  }
+}
+
 } // namespace
 } // namespace settle::compare::test

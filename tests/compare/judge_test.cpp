@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "paper_cases.hpp"
+#include "perfect_body.hpp"
 #include "perfect_result.hpp"
 #include "settle/compare/campaign_run.hpp"
 
@@ -198,6 +199,65 @@ TEST(Judge, ANanInTheBalanceIsMissing) {
   RunOutcome run = run_with({});
   result_in(run, "mpm").stages[0].base_reaction = NAN;
   EXPECT_EQ(find(judge_balance(run), "mpm: base reaction").status, Status::missing);
+}
+
+TEST(Judge, APerfectBodyOfPolygonsPassesEverything) {
+  exchange::Case study = body_case();
+  for (const Quantity quantity : {Quantity::displacement, Quantity::stress, Quantity::mass, Quantity::base_reaction}) {
+    study.checks.push_back(check_of(quantity, {"mpm", "exact"}, 1e-13));
+    study.checks.push_back(check_of(quantity, {"fem", "mpm"}, 1e-13));
+    study.checks.back().stages = CheckStages::all;
+  }
+  RunOutcome run = perfect_body_run(study);
+  judge_into(run);
+  for (const Verdict& verdict : run.verdicts)
+    EXPECT_EQ(verdict.status, Status::passed) << verdict.what << ": " << verdict.message;
+  EXPECT_EQ(exit_code_of({run}), ExitCode::success);
+}
+
+TEST(Judge, WhatACaseDoesNotStateIsMissingAndNeverPasses) {
+  exchange::Case study = body_case();
+  study.checks = {check_of(Quantity::stress, {"mpm", "exact"}, 1e9)};
+  study.motion->stress.clear();
+  RunOutcome run = perfect_body_run(study);
+  judge_into(run);
+  EXPECT_EQ(find(run.verdicts, "stress, mpm").status, Status::missing);
+  EXPECT_THAT(find(run.verdicts, "stress, mpm").message, HasSubstr("does not state the stress"));
+}
+
+TEST(Judge, TheReactionIsAuditedOnlyWhereTheWeightIsAllThatLoads) {
+  const auto audited = [](const exchange::Case& study) {
+    const std::vector<Verdict> verdicts = judge_balance(perfect_body_run(study));
+    return std::any_of(verdicts.begin(), verdicts.end(),
+                       [](const Verdict& each) { return each.what == "fem: base reaction = weight"; });
+  };
+  EXPECT_TRUE(audited(body_case()));
+  EXPECT_EQ(reaction_unaudited(body_case(), "fem"), "");
+  const exchange::Case moved = body_case({"support.0.motion=exact"});
+  EXPECT_FALSE(audited(moved));
+  EXPECT_THAT(reaction_unaudited(moved, "fem"), HasSubstr("follow a motion"));
+  exchange::Case in_time = body_case();
+  in_time.motion->duration = 0.1;
+  EXPECT_FALSE(audited(in_time));
+  EXPECT_THAT(reaction_unaudited(in_time, "mpm"), HasSubstr("inertia"));
+}
+
+TEST(Judge, WithoutGravityNothingIsDividedByTheWeight) {
+  RunOutcome run = perfect_body_run(body_case({"gravity=0"}));
+  for (const Verdict& verdict : judge_balance(run))
+    EXPECT_EQ(verdict.status, Status::passed) << verdict.what << ": " << verdict.message;
+  result_in(run, "mpm").stages.back().weight = 1e-3;
+  EXPECT_EQ(find(judge_balance(run), "mpm: weight").status, Status::failed);
+  result_in(run, "mpm").stages.back().weight = NAN;
+  EXPECT_EQ(find(judge_balance(run), "mpm: weight").status, Status::missing);
+}
+
+TEST(Judge, AMotionInTimeIsNotAskedToComeToRest) {
+  exchange::Case study = body_case();
+  study.mpm.scheme = exchange::Scheme::explicit_dynamic;
+  study.motion->duration = 0.1;
+  for (const Verdict& verdict : judge_balance(perfect_body_run(study)))
+    EXPECT_NE(verdict.what, "mpm: every stage ends in equilibrium");
 }
 
 TEST(Judge, AnExplicitSchemeHeldToEquilibriumHasAWiderReaction) {

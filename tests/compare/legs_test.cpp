@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "paper_cases.hpp"
@@ -127,32 +128,46 @@ TEST(Legs, TheExactSolutionOrATableIsTheReferenceWhateverTheOrder) {
   EXPECT_EQ(value_and_reference(run, {"mpm", "fem"}), Pair("mpm", "fem"));
 }
 
-TEST(Legs, TheSplitOfPerfectSolversIsTheModelDifferenceAlone) {
-  const std::vector<DifferenceSplit> splits = difference_splits(refill_run());
-  ASSERT_EQ(splits.size(), 2U);
-  for (const DifferenceSplit& split : splits) {
-    EXPECT_LT(split.mpm_error, 1e-13);
-    EXPECT_LT(split.fem_error, 1e-13);
-    EXPECT_NEAR(split.total, split.model_difference, 1e-13);
-    EXPECT_GT(split.total, 0.05);
+TEST(Legs, OfAColumnCompareWholeVectorsAndTensors) {
+  RunOutcome run = refill_run();
+  for (const std::string solver : {"mpm", "fem"}) {
+    for (const Over over : {Over::points, Over::probes}) {
+      for (const Quantity quantity : {Quantity::displacement, Quantity::stress}) {
+        const LegSamples leg = leg_samples(run, request(solver, "exact", quantity, over));
+        EXPECT_EQ(leg.value.size(), (quantity == Quantity::stress ? 4 : 2) * leg.size());
+        EXPECT_LT(relative_norm(leg, Norm::linf).value, 1e-13);
+      }
+    }
   }
+  auto& points = result_in(run, "mpm").stages.back().points;
+  points.displacement[0] = 0.01; // sideways
+  points.stress[2] += 500.0;     // out of plane
+  const auto change = [&](Quantity quantity) {
+    return relative_norm(leg_samples(run, request("mpm", "exact", quantity, Over::points)), Norm::linf, 1.0).value;
+  };
+  EXPECT_NEAR(change(Quantity::displacement), 0.01, 1e-12);
+  EXPECT_LT(change(Quantity::settlement), 1e-12);
+  EXPECT_NEAR(change(Quantity::stress), 500.0, 1e-7);
+  EXPECT_LT(change(Quantity::lateral_stress), 1e-7);
 }
 
-TEST(Legs, AnErrorOfOneSolverAppearsInItsPartOfTheSplit) {
-  RunOutcome run = refill_run();
-  auto& displacement = result_in(run, "mpm").stages.back().probes["axis"].displacement;
-  for (double& component : displacement)
-    component *= 1.1;
-  const DifferenceSplit split = difference_splits(run).front();
-  EXPECT_GT(split.mpm_error, 0.1);
-  EXPECT_LT(split.fem_error, 1e-13);
+TEST(Legs, InSpaceTheVerticalIsTheThirdAxisAndTheTensorHasSixComponents) {
+  std::vector<double> values;
+  const MaterialState state{.displacement = {0.1, 0.2, -0.3}, .stress = {1, 2, 3, 4, 5, 6}};
+  for (const Quantity quantity : {Quantity::settlement, Quantity::vertical_stress, Quantity::lateral_stress,
+                                  Quantity::shear_stress, Quantity::displacement, Quantity::stress})
+    append_field(state, 3, quantity, values);
+  const double root = std::sqrt(2.0);
+  EXPECT_THAT(values, testing::Pointwise(testing::DoubleEq(), {0.3, 3.0, 1.0, 4.0, 0.1, 0.2, -0.3, 1.0, 2.0, 3.0,
+                                                               4 * root, 5 * root, 6 * root}));
 }
 
-TEST(Legs, ThereIsNoSplitWithoutProbes) {
+TEST(Legs, ATableHasNoVectorsAndTensors) {
   RunOutcome run = refill_run();
-  for (auto& stage : result_in(run, "mpm").stages)
-    stage.probes.clear();
-  EXPECT_TRUE(difference_splits(run).empty());
+  run.references["code"] = {};
+  for (const Quantity quantity : {Quantity::displacement, Quantity::stress, Quantity::shear_stress})
+    EXPECT_NE(leg_samples(run, request("mpm", "code", quantity, Over::automatic)).problem.find("has no"),
+              std::string::npos);
 }
 
 ReferenceTable table_of(const RunOutcome& run, double height_shift) {
@@ -206,8 +221,16 @@ TEST(Legs, ATableOfWhichNothingMatchesIsAProblem) {
   EXPECT_FALSE(leg.problem.empty());
 }
 
+TEST(Legs, VectorsAtOneHeightAreAveragedByComponent) {
+  const FieldSamples rows = averaged_by_height(
+      {.layer = {1, 1}, .x = {0.0, 0.1}, .height = {0.5, 0.5}, .value = {1.0, 10.0, 5.0, 30.0}, .weight = {1.0, 3.0}},
+      1e-4);
+  EXPECT_EQ(rows.value, (std::vector<double>{4.0, 25.0}));
+}
+
 TEST(Legs, PointsAtOneHeightAreAveragedByVolume) {
   const FieldSamples rows = averaged_by_height({.layer = {1, 2, 1, 1},
+                                                .x = {0.0, 0.0, 0.0, 0.0},
                                                 .height = {0.5, 0.5, 0.1, 0.5},
                                                 .value = {1.0, 9.0, 7.0, 4.0},
                                                 .weight = {1.0, 1.0, 1.0, 3.0}},

@@ -64,5 +64,16 @@ TEST(Norms, AReferenceThatIsZeroEverywhereNeedsAScale) {
   EXPECT_FALSE(relative_norm(samples({1.0}, {0.0}, {1.0}), Norm::l2).problem.empty());
 }
 
+TEST(Norms, TakeTheEuclideanNormOfSeveralComponents) {
+  const LegSamples leg = samples({3.0, 4.0, 0.0, 1.0}, {0.0, 0.0, 0.0, 0.0}, {1.0, 3.0}); // |d| = 5 and 1
+  EXPECT_NEAR(relative_norm(leg, Norm::linf, 1.0).value, 5.0, 1e-14);
+  EXPECT_NEAR(relative_norm(leg, Norm::l2, 1.0).value, std::sqrt((25.0 + 3.0) / 4.0), 1e-14);
+}
+
+TEST(Norms, SidesOfDifferentSpacesAreAProblem) {
+  EXPECT_NE(relative_norm(samples({1.0, 2.0}, {1.0, 2.0, 3.0}, {1.0}), Norm::l2).problem.find("one side has 2 numbers"),
+            std::string::npos);
+}
+
 } // namespace
 } // namespace settle::compare::test

@@ -1,5 +1,7 @@
 settle_add_test(report_tests
   SOURCES
+    ${CMAKE_CURRENT_LIST_DIR}/perfect_body.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/report_body_tests.cpp
     ${CMAKE_CURRENT_LIST_DIR}/report_data_tests.cpp
     ${CMAKE_CURRENT_LIST_DIR}/report_figure_tests.cpp
     ${CMAKE_CURRENT_LIST_DIR}/report_fixture.cpp

@@ -69,7 +69,12 @@ exchange::Stage stage_of(const Case& study, const ExactColumn& exact, int number
 }
 
 DifferenceSplit split_of(exchange::Quantity quantity) {
-  return {.quantity = quantity, .total = 0.081, .mpm_error = 0.01, .model_difference = 0.071, .fem_error = 2e-15};
+  return {.quantity = quantity,
+          .total = 0.081,
+          .mpm_error = 0.01,
+          .model_difference = 0.071,
+          .fem_error = 2e-15,
+          .scale = 0.2};
 }
 
 Figure settlement_figure(const std::string& run) {

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "format.hpp"
+#include "line_figure.hpp"
 #include "settle/compare/statistics.hpp"
 #include "settle/exchange/errors.hpp"
 
@@ -65,18 +66,6 @@ std::string obstacle(const Curve& curve, const RunOutcome* run, Quantity quantit
   return fmt::format("the run “{}” has no result of “{}”", curve.run, curve.source);
 }
 
-void drop_values_that_are_not_finite(PlotCurve& curve, std::vector<std::string>& missing) {
-  std::size_t dropped = 0;
-  for (Segment& segment : curve.profile) {
-    const auto bad = std::remove_if(segment.begin(), segment.end(), [](const ProfilePoint& point) {
-      return !std::isfinite(point.value) || !std::isfinite(point.height);
-    });
-    dropped += static_cast<std::size_t>(segment.end() - bad);
-    segment.erase(bad, segment.end());
-  }
-  if (dropped > 0) missing.push_back(fmt::format("{}: {} points have no value and are left out", curve.label, dropped));
-}
-
 /// "after stage k" at the upper end of the stage's profile, unless the place is taken by another curve's label.
 void label_stage(Plot& plot, const Profile& profile, int stage) {
   if (profile.empty() || profile.back().empty()) return;
@@ -125,7 +114,24 @@ std::vector<double> common_interfaces(const Plot& plot, const CampaignOutcome& o
 
 } // namespace
 
+void drop_values_that_are_not_finite(PlotCurve& curve, std::vector<std::string>& missing) {
+  std::size_t dropped = 0;
+  for (Segment& segment : curve.profile) {
+    const auto bad = std::remove_if(segment.begin(), segment.end(), [](const ProfilePoint& point) {
+      return !std::isfinite(point.value) || !std::isfinite(point.height);
+    });
+    dropped += static_cast<std::size_t>(segment.end() - bad);
+    segment.erase(bad, segment.end());
+  }
+  if (dropped > 0) missing.push_back(fmt::format("{}: {} points have no value and are left out", curve.label, dropped));
+}
+
 Plot plot_of(const Figure& figure, const CampaignOutcome& outcome) {
+  const bool of_a_body = std::any_of(figure.curves.begin(), figure.curves.end(), [&](const Curve& curve) {
+    const RunOutcome* run = outcome.find(curve.run);
+    return run != nullptr && is_body(run->study);
+  });
+  if (of_a_body) return line_plot_of(figure, outcome);
   Plot plot{"fig-" + slug(figure.name), figure.title, figure.quantity, 0.0, {}, {}, {}, {}};
   for (const Curve& curve : figure.curves) {
     if (const RunOutcome* run = outcome.find(curve.run)) plot.top = std::max(plot.top, run->study.geometry.height);

@@ -28,8 +28,12 @@ struct Plot {
   std::vector<double> interfaces; ///< between layers, where all runs have the same [m]
   std::vector<PlotCurve> curves;
   std::vector<StageLabel> stage_labels;
-  std::vector<std::string> missing; ///< a sentence for each curve that could not be drawn
+  std::vector<std::string> missing;                               ///< a sentence for each curve that could not be drawn
+  std::string height_title = "Height in the design geometry [m]"; ///< of the axis that `ProfilePoint::height` is along
 };
+
+/// Takes values that cannot be drawn out of a curve, and says so.
+void drop_values_that_are_not_finite(PlotCurve& curve, std::vector<std::string>& missing);
 
 /// The curves of a figure of the campaign.
 Plot plot_of(const Figure& figure, const CampaignOutcome& outcome);

@@ -43,11 +43,12 @@ std::string axes(const Plot& plot) {
                      "set tics nomirror out scale 0.6\n"
                      "set grid xtics lt 1 lw 0.8 lc rgb '#E4E4E4'\n"
                      "set xlabel {} offset 0,0.2\n"
-                     "set ylabel 'Height in the design geometry [m]' offset 1.2,0\n"
+                     "set ylabel {} offset 1.2,0\n"
                      "set xrange [{}:*]\n"
                      "set yrange [0:{:.6g}]\n",
                      gnuplot_text(fmt::format("{}{} [{}]", axis.title, axis.sense, axis.unit)),
-                     plot.quantity == exchange::Quantity::density ? "*" : "*<0", 1.02 * plot.top);
+                     gnuplot_text(plot.height_title), plot.quantity == exchange::Quantity::density ? "*" : "*<0",
+                     1.02 * plot.top);
 }
 
 std::string layer_lines(const Plot& plot) {

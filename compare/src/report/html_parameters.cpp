@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "html_parts.hpp"
@@ -33,6 +34,15 @@ bool is_left_out(const RunOutcome& run, const std::string& key) {
   return key == "check" || key == "title" || key == "source" || key == "format";
 }
 
+/// An array whose entries are read one by one: tables (supports, polygons), and texts (formulas).
+const document::List* entries_of(const document::Value& value) {
+  const auto* list = std::get_if<document::List>(&value.data);
+  const auto is_large = [](const document::Value& entry) {
+    return std::holds_alternative<document::Table>(entry.data) || std::holds_alternative<std::string>(entry.data);
+  };
+  return list != nullptr && !list->empty() && is_large(list->front()) ? list : nullptr;
+}
+
 void append_rows(const RunOutcome& run, const document::Table& table, const json& schema, const std::string& path,
                  Table& rows) {
   for (const document::Entry& entry : table) {
@@ -41,9 +51,18 @@ void append_rows(const RunOutcome& run, const document::Table& table, const json
     const json facts = schema_of(schema, entry.key);
     if (const auto* inner = std::get_if<document::Table>(&entry.value.data)) {
       append_rows(run, *inner, facts, key, rows);
-    } else {
-      rows.rows.push_back(
-          {{.text = key}, {.text = document::to_inline_toml(entry.value)}, {.text = facts.value("description", "")}});
+      continue;
+    }
+    const std::string meaning = facts.value("description", "");
+    const document::List* entries = entries_of(entry.value);
+    if (entries == nullptr) {
+      rows.rows.push_back({{.text = key}, {.text = document::to_inline_toml(entry.value)}, {.text = meaning}});
+      continue;
+    }
+    for (std::size_t i = 0; i < entries->size(); ++i) {
+      rows.rows.push_back({{.text = fmt::format("{}.{}", key, i)},
+                           {.text = document::to_inline_toml((*entries)[i])},
+                           {.text = i == 0 ? meaning : ""}});
     }
   }
 }

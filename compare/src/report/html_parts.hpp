@@ -41,11 +41,15 @@ std::string run_html(const CampaignOutcome& outcome, const RunOutcome& run);
 /// Tables of a run's section.
 Table solver_table(const RunOutcome& run);
 Table key_figure_table(const RunOutcome& run);
-Table split_table(const RunOutcome& run);
+/// The parts of one difference between MPM and FEM, the largest marked.
+Table split_table(const DifferenceSplit& split, int dimension);
 Table balance_table(const RunOutcome& run, const SolverRun& solver);
 Table refill_table(const exchange::Result& result);
 Table parameter_table(const RunOutcome& run);
 Table provenance_table(const RunOutcome& run);
+
+/// A sentence for each solver whose base reaction is not held against its weight: why.
+std::vector<std::string> unaudited_reactions(const RunOutcome& run);
 
 /// A sentence for each solver that ended a stage out of equilibrium, or was told not to wait for it.
 std::vector<std::string> out_of_equilibrium(const RunOutcome& run);

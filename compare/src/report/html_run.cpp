@@ -3,6 +3,7 @@
 #include "figure_data.hpp"
 #include "format.hpp"
 #include "html_parts.hpp"
+#include "line_figure.hpp"
 #include "reported_verdicts.hpp"
 #include "settle/compare/statistics.hpp"
 #include "templates.hpp"
@@ -20,7 +21,17 @@ data paragraphs(const std::vector<std::string>& texts) {
   return texts.empty() ? data(false) : list;
 }
 
+std::string line_figures(const CampaignOutcome& outcome, const RunOutcome& run) {
+  std::string html;
+  for (Plot& plot : line_plots_of(run, outcome)) {
+    plot.id = fmt::format("{}-{}", anchor_of(outcome, run), plot.id);
+    html += figure_html(plot, "");
+  }
+  return html;
+}
+
 std::string figures(const CampaignOutcome& outcome, const RunOutcome& run) {
+  if (is_body(run.study)) return line_figures(outcome, run);
   std::string html;
   for (const Quantity quantity : {Quantity::settlement, Quantity::vertical_stress}) {
     Plot plot = plot_of(run, quantity, outcome);
@@ -35,6 +46,13 @@ std::string balances(const RunOutcome& run) {
   for (const SolverRun& solver : run.solvers) {
     if (solver.result) html += html_of(balance_table(run, solver));
   }
+  return html;
+}
+
+std::string splits(const RunOutcome& run) {
+  std::string html;
+  for (const DifferenceSplit& split : run.splits)
+    html += html_of(split_table(split, run.study.geometry.dimension));
   return html;
 }
 
@@ -94,7 +112,8 @@ std::string run_html(const CampaignOutcome& outcome, const RunOutcome& run) {
   section.set("tails", tails(run));
   section.set("key_figures", html_of(key_figure_table(run)));
   section.set("figures", figures(outcome, run));
-  section.set("splits", run.splits.empty() ? data(false) : data(html_of(split_table(run))));
+  section.set("splits", run.splits.empty() ? data(false) : data(splits(run)));
+  section.set("unaudited", paragraphs(unaudited_reactions(run)));
   section.set("balances", balances(run));
   section.set("refill", refill(run));
   section.set("parameters", html_of(parameter_table(run)));

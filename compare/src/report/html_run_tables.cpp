@@ -6,6 +6,7 @@
 #include "format.hpp"
 #include "html_parts.hpp"
 #include "profiles.hpp"
+#include "settle/compare/judge.hpp"
 #include "settle/exchange/errors.hpp"
 #include "statistic_text.hpp"
 
@@ -15,8 +16,9 @@ namespace {
 
 using exchange::Stage;
 
-/// Height of the surface of the exact column; NaN where it does not exist.
+/// Height of the surface of the exact column; NaN where there is none.
 double exact_surface(const RunOutcome& run, const exchange::Result& result, int stage) {
+  if (run.study.geometry.shape != exchange::Shape::column) return std::nan("");
   try {
     return ExactColumn(run.study, result.used.kinematics).surface_height(stage);
   } catch (const exchange::InputError&) {
@@ -55,7 +57,8 @@ std::vector<Cell> balance_row(const RunOutcome& run, const SolverRun& solver, co
           {.text = number(gap, 3)},
           pressure(stage.weight),
           pressure(stage.base_reaction),
-          {.text = ratio((stage.base_reaction - stage.weight) / stage.weight)},
+          {.text = stage.weight == 0.0 ? std::string(no_value)
+                                       : ratio((stage.base_reaction - stage.weight) / stage.weight)},
           {.text = number(stage.out_of_balance, 3)},
           {.text = number_beside(stage.surface_height, height)},
           {.text = number_beside(exact_surface(run, *solver.result, stage.layer), height)},
@@ -117,24 +120,6 @@ Table key_figure_table(const RunOutcome& run) {
   return table;
 }
 
-Table split_table(const RunOutcome& run) {
-  Table table{"Where MPM and FEM part (l2 over probes, relative to the exact solution of what FEM solves)",
-              {{"Quantity", "", false},
-               {"MPM − FEM", "", true},
-               {"MPM error", "", true},
-               {"Model difference", "", true},
-               {"FEM error", "", true}},
-              {}};
-  for (const DifferenceSplit& split : run.splits) {
-    table.rows.push_back({{.text = std::string(name_of(split.quantity))},
-                          {.text = ratio(split.total)},
-                          {.text = ratio(split.mpm_error)},
-                          {.text = ratio(split.model_difference)},
-                          {.text = ratio(split.fem_error)}});
-  }
-  return table;
-}
-
 Table balance_table(const RunOutcome& run, const SolverRun& solver) {
   Table table{fmt::format("Balance of {}, stage by stage", solver.solver), balance_columns(run.study), {}};
   double before = 0.0;
@@ -162,6 +147,16 @@ Table refill_table(const exchange::Result& result) {
                           {.text = std::to_string(of_layer.second)}});
   }
   return table;
+}
+
+std::vector<std::string> unaudited_reactions(const RunOutcome& run) {
+  std::vector<std::string> sentences;
+  for (const SolverRun& solver : run.solvers) {
+    const std::string reason = reaction_unaudited(run.study, solver.solver);
+    if (solver.result && !reason.empty())
+      sentences.push_back(fmt::format("{}'s base reaction is not held against its weight: {}.", solver.solver, reason));
+  }
+  return sentences;
 }
 
 Table provenance_table(const RunOutcome& run) {
@@ -192,6 +187,7 @@ Table provenance_table(const RunOutcome& run) {
 
 std::vector<std::string> out_of_equilibrium(const RunOutcome& run) {
   std::vector<std::string> sentences;
+  if (runs_in_time(run.study)) return sentences; // in motion to its end, as the exact solution is
   for (const SolverRun& solver : run.solvers) {
     if (!solver.result) continue;
     std::vector<int> stages;

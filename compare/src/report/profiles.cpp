@@ -61,6 +61,12 @@ Axis axis_of(Quantity quantity) {
     return {"Vertical stress", ", compression positive", "kPa", -1e-3};
   case Quantity::lateral_stress:
     return {"Lateral stress", ", compression positive", "kPa", -1e-3};
+  case Quantity::displacement:
+    return {"Displacement", " since placement, magnitude", "m", 1.0};
+  case Quantity::shear_stress:
+    return {"Shear stress", "", "kPa", 1e-3};
+  case Quantity::stress:
+    return {"Stress", ", norm of the tensor", "kPa", 1e-3};
   case Quantity::density:
     return {"Density", "", "kg/m³", 1.0};
   case Quantity::base_reaction:
@@ -72,7 +78,8 @@ Axis axis_of(Quantity quantity) {
 }
 
 bool has_profile(Quantity quantity) {
-  return is_field(quantity) || quantity == Quantity::density;
+  const bool is_one_value = quantity != Quantity::displacement && quantity != Quantity::stress;
+  return (is_field(quantity) && is_one_value) || quantity == Quantity::density;
 }
 
 Profile native_profile(const Case& study, const exchange::Result& result, Quantity quantity, int stage) {

@@ -112,6 +112,7 @@ double measured(const RunOutcome& run, const std::string& source, Statistic stat
 }
 
 double exact_value(const RunOutcome& run, const std::string& source, Statistic statistic) {
+  if (run.study.geometry.shape != exchange::Shape::column) return nan;
   try {
     const ExactColumn exact(run.study, kinematics_solved(run, source));
     return exact_statistic(exact, run.study.construction.layers, statistic);

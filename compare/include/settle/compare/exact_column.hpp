@@ -33,8 +33,11 @@ public:
   /// The exact solution of what a solver with these kinematics solves for this case.
   ExactColumn(const exchange::Case& study, exchange::Kinematics kinematics);
 
-  /// Layer 1 ... N, relative height xi in [0, 1] within the layer as placed, stage >= layer.
-  [[nodiscard]] ColumnState at(int layer, double xi, int stage) const;
+  /// Layer 1 ... N, relative height xi in [0, 1] within the layer as placed, stage >= layer. `surcharge`: weight per
+  /// plan area lying on the surface besides [Pa].
+  [[nodiscard]] ColumnState at(int layer, double xi, int stage, double surcharge = 0.0) const;
+  /// After the last stage, at a height in the design geometry [m], in the limit of infinitely many layers.
+  [[nodiscard]] ColumnState in_thin_layers(double design_height) const;
   /// Relative height in its layer of a material point by the height at which it was placed.
   [[nodiscard]] double relative_height(int layer, double placed_height) const;
   /// The column during a stage, gravity factor f in [0, 1] acting on its layer only.

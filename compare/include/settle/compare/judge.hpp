@@ -20,7 +20,7 @@ Verdict judge_check(const RunOutcome& run, const exchange::Check& check);
 
 /// Conservation, for every solver with a result, over all its stages, the worst stage named: every layer has its stage,
 /// mass before + placed + refilled = mass, points' mass = mass, weight = gravity x mass, base reaction = weight.
-/// A stage that the case leaves unheld (`hold = 0`) is not in equilibrium: its base reaction is not judged.
+/// The base reaction is judged where the base carries the weight and nothing else; see `reaction_unaudited`.
 std::vector<Verdict> judge_balance(const RunOutcome& run);
 
 /// Did each solver use what the case says: elastic constants, density, gravity, law, convention, kinematics, dimension.
@@ -34,5 +34,11 @@ void hold_to_limits(Verdict& verdict);
 
 /// Is the run left unheld by the case, so that its stages end out of equilibrium on purpose?
 bool is_unheld(const exchange::Case& study, const std::string& solver);
+
+/// Does the case's motion run in time, so that rest is not what it ends in?
+bool runs_in_time(const exchange::Case& study);
+
+/// Why a solver's base reaction is not held against its weight, in a sentence; empty where it is.
+std::string reaction_unaudited(const exchange::Case& study, const std::string& solver);
 
 } // namespace settle::compare

@@ -14,7 +14,7 @@ namespace settle::compare {
 /// One comparison at one stage.
 struct LegRequest {
   std::string value{};     ///< a solver, or a reference table against "exact"
-  std::string reference{}; ///< "exact", a reference table, or the second of two solvers
+  std::string reference{}; ///< "exact", a reference table, or a solver: the second of two, or the same
   exchange::Quantity quantity = exchange::Quantity::settlement;
   exchange::Over over = exchange::Over::automatic;
   int stage = 1;
@@ -29,11 +29,9 @@ std::pair<std::string, std::string> value_and_reference(const RunOutcome& run, c
 /// probes between two solvers.
 exchange::Over place_of(const RunOutcome& run, const LegRequest& request);
 
-/// Both sides of a leg at their common material points. Throws InputError where the exact column does not exist.
+/// Both sides of a leg at their common material points; a solver may be its own reference. Native points of two sides
+/// are matched by layer and height, which identifies a material point of a column, not of polygons: there probes are
+/// compared. Throws InputError where the exact column does not exist.
 LegSamples leg_samples(const RunOutcome& run, const LegRequest& request);
-
-/// The split of MPM - FEM over probes after the last stage: settlement and vertical stress. Empty where either result
-/// or its probes are missing: the checks say so.
-std::vector<DifferenceSplit> difference_splits(const RunOutcome& run);
 
 } // namespace settle::compare

@@ -11,20 +11,20 @@
 
 namespace settle::compare {
 
-/// Both sides of a leg at the material points they have in common; n entries each, SI units of the quantity.
+/// Both sides of a leg at the n material points they have in common, c components at each, SI units of the quantity.
 /// Where there is nothing to compare, `problem` says why in a sentence.
 struct LegSamples {
-  std::vector<double> value{};     ///< (n)
-  std::vector<double> reference{}; ///< (n)
+  std::vector<double> value{};     ///< (n, c)
+  std::vector<double> reference{}; ///< (n, c)
   std::vector<double> weight{};    ///< (n) current volume for points, 1 for probes and scalars
   std::size_t without_partner = 0; ///< samples of either side left out because the other has no such point
   std::string problem{};
 
-  [[nodiscard]] std::size_t size() const { return value.size(); }
+  [[nodiscard]] std::size_t size() const { return weight.size(); }
 };
 
-/// `l2`: sqrt(sum w v^2 / sum w). `linf`: largest |v|, weights play no part. NaN where a value or a weight is NaN or
-/// there are no values.
+/// `l2`: sqrt(sum w |v|^2 / sum w). `linf`: largest |v|, weights play no part. |v|: Euclidean norm of a point's
+/// components; values (n, c), weights (n). NaN where a value or a weight is NaN or there are no values.
 double norm_of(const std::vector<double>& values, const std::vector<double>& weights, exchange::Norm norm);
 
 /// A difference and what it is relative to.

@@ -44,14 +44,22 @@ struct SolverRun {
   std::optional<exchange::Result> result{};
 };
 
-/// Where an MPM - FEM difference comes from: it is the sum of the three parts at every probe. Norms over probes,
-/// relative to the same norm of the exact solution of what FEM solves.
+/// Where an MPM - FEM difference comes from: it is the sum of three parts at every probe, and some of what makes up the
+/// parts is known. Norms over probes, relative to the same norm of the exact solution of what FEM solves; NaN: not
+/// known.
 struct DifferenceSplit {
   exchange::Quantity quantity = exchange::Quantity::settlement;
   double total = 0;            ///< MPM - FEM
   double mpm_error = 0;        ///< MPM - exact_mpm
   double model_difference = 0; ///< exact_mpm - exact_fem
   double fem_error = 0;        ///< exact_fem - FEM
+  double scale = 0;            ///< what they are relative to [SI unit of the quantity]
+  double mpm_mass = 0;         ///< in mpm_error: the mass that MPM has too much or too little
+  double mpm_unbalanced = 0;   ///< in mpm_error: the force that MPM left unbalanced
+  double fem_unbalanced = 0;   ///< in fem_error: the force that FEM left unbalanced
+  double layers = 0;           ///< in model_difference: what the finite number of layers changes in it
+  double mpm_layers = 0;       ///< in exact_mpm: what the finite number of layers changes in it
+  double fem_layers = 0;       ///< in exact_fem: likewise
 };
 
 /// A table of another code's results, averaged over points at one height. Same conventions as SamplePoints; one vector

@@ -14,7 +14,7 @@ namespace settle::compare {
 double measured(const RunOutcome& run, const std::string& source, Statistic statistic);
 
 /// The same of the exact solution of what the solver solves; NaN for refilled points, which have no exact number, and
-/// where the exact column does not exist.
+/// where the exact column does not exist, or the case is none of a column.
 double exact_value(const RunOutcome& run, const std::string& source, Statistic statistic);
 
 /// Area on which the column stands: width times depth, per metre out of plane in 2-D [m2/m or m2].

@@ -2,6 +2,7 @@
 /// The body under construction: its background space, its points, its supports.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "settle/exchange/case.hpp"
@@ -11,13 +12,24 @@
 
 namespace settle::mpm {
 
-/// Gravity as it acts at a moment: full on every layer but the one under construction, whose share grows from 0 to 1.
+/// Gravity as it acts at a moment: full on every layer but the one under construction, whose share grows from 0 to 1;
+/// and what the case's known motion is driven by besides.
 struct Gravity {
   double acceleration = 9.81; ///< [m/s2], downwards along the last axis
   int ramped_layer = 0;
   double factor = 1.0; ///< of the ramped layer's gravity, 0 ... 1
+  /// Force per mass on a point [m/s2]; empty: none.
+  std::function<Vector<2>(const Points<2>&, std::size_t)> besides{};
 
   [[nodiscard]] double on(int layer) const { return layer == ramped_layer ? factor * acceleration : acceleration; }
+  /// All force per mass on point p [m/s2].
+  template <int dim>
+  [[nodiscard]] Vector<dim> pull(const Points<dim>& points, std::size_t p) const {
+    Vector<dim> pull = Vector<dim>::Zero();
+    pull[dim - 1] = -on(points.layer[p]);
+    if (besides) pull += besides(points, p);
+    return pull;
+  }
 };
 
 /// How the internal force is integrated (docs/mpm.md).

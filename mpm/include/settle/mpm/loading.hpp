@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "settle/mpm/body.hpp"
+#include "settle/mpm/drive.hpp"
 #include "settle/mpm/refill.hpp"
 
 namespace settle::mpm {
@@ -13,7 +14,14 @@ namespace settle::mpm {
 struct StageLoad {
   int layer = 1;
   double gravity = 9.81; ///< [m/s2]
-  Refill refill;
+  Refill refill{};
+  const Drive* drive = nullptr; ///< the case's known motion, if it has one
+
+  /// At a share of the layer's gravity, or of the motion's time.
+  [[nodiscard]] Gravity at(double share) const {
+    if (drive != nullptr) return drive->gravity_at(layer, share);
+    return {.acceleration = gravity, .ramped_layer = layer, .factor = share};
+  }
 };
 
 /// How a stage ended.
@@ -25,9 +33,9 @@ struct StageReport {
   bool in_equilibrium = false;
 };
 
-/// Quasi-static: gravity in equal increments, each solved to equilibrium; an increment that does not converge is halved
-/// and tried again. The stage ends with an increment at full gravity after which nothing is refilled. Throws
-/// exchange::NotConverged with the residuals, PointLost.
+/// Quasi-static: gravity (or the motion's time) in equal increments, each solved to equilibrium; an increment that does
+/// not converge is halved and tried again. The stage ends with an increment at full gravity after which nothing is
+/// refilled. Throws exchange::NotConverged with the residuals, PointLost.
 template <class Space>
 StageReport load_quasi_static(Body<Space>& body, const StageLoad& load, const exchange::QuasiStatic& settings);
 
@@ -35,5 +43,10 @@ StageReport load_quasi_static(Body<Space>& body, const StageLoad& load, const ex
 /// starts again whenever a point is added. Throws exchange::NotConverged when `max_hold_time` is over, PointLost.
 template <class Space>
 StageReport load_explicit(Body<Space>& body, const StageLoad& load, const exchange::ExplicitDynamic& settings);
+
+/// Explicit, in time: from the motion's initial velocity through its duration, without damping. Velocities are those of
+/// half steps (leapfrog), so that the scheme is of second order in time. Throws PointLost.
+template <class Space>
+StageReport run_motion(Body<Space>& body, const StageLoad& load, double courant);
 
 } // namespace settle::mpm

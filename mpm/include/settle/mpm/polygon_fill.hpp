@@ -1,5 +1,6 @@
 /// \file
-/// Filling polygons with material points: a lattice cut by the polygon's edges, so that area and first moment are right.
+/// Filling polygons with material points: a lattice cut by the polygon's edges, so that area and first moment are
+/// right.
 #pragma once
 
 #include <vector>
@@ -9,10 +10,12 @@
 
 namespace settle::mpm {
 
-/// Squares of side `size`, one of them with its lower left corner at `origin` [m].
+/// Square cells of side `size`, one of them with its lower left corner at `origin`, each to be filled by
+/// `per_side` x `per_side` points [m].
 struct Lattice {
   Vector<2> origin;
   double size = 0;
+  int per_side = 1;
 };
 
 /// What a material point stands for.
@@ -21,9 +24,12 @@ struct Piece {
   double area = 0;    ///< [m2]
 };
 
-/// The parts into which a lattice cuts a convex polygon, row by row from below. Parts smaller than a third of a square
-/// are joined to the nearest larger one, keeping area and first moment, so that no point is much lighter than the rest;
-/// a polygon that holds no larger part keeps all of them as they are. (Sutherland & Hodgman 1974 for the cutting.)
+/// The pieces into which a lattice cuts a convex polygon, cell by cell, row by row from below (Sutherland & Hodgman
+/// 1974 for the cutting). The area of the polygon is kept, and its first moment but for cells of which less than a
+/// third of a lattice square is filled: these are left empty, and the nearest piece gets their area. Small parts of a
+/// cell are joined to their neighbours, so that no point is much lighter than the rest. A cell that the polygon cuts
+/// gets at least three pieces, by a finer lattice if need be: a quadrilateral with fewer points could deform without
+/// resistance.
 std::vector<Piece> cut_polygon(const exchange::Polygon& polygon, const Lattice& lattice);
 
 } // namespace settle::mpm

@@ -13,7 +13,8 @@ namespace settle::mpm {
 struct IncrementReport {
   bool converged = false;
   int linear_solves = 0;
-  double out_of_balance = 0;       ///< free nodes' unbalanced force over all external forces, Euclidean norms [-]
+  double out_of_balance = 0;       ///< free nodes' unbalanced force over all external forces, or over the internal ones
+                                   ///< of the first iteration where these are larger, Euclidean norms [-]
   double base_reaction = 0;        ///< positive upward [N/m] in 2-D
   double largest_displacement = 0; ///< of a node in this increment [m]
   std::vector<double> residuals;   ///< out of balance before each linear solve and at the end
@@ -32,9 +33,11 @@ public:
   QuasiStaticStep(QuasiStaticStep&&) noexcept;
   ~QuasiStaticStep();
 
-  /// Balances `fraction` of what is out of balance between the body's stresses and gravity. The body moves only if the
+  /// Balances `fraction` of what is out of balance between the body's stresses and gravity, while supports move by
+  /// `support_motion` (dim * nodes, zero where nothing is held; empty: none moves) [m]. The body moves only if the
   /// Newton iteration converges; then its points are moved and sorted. Throws PointLost.
-  IncrementReport advance(Body<Space>& body, const Gravity& gravity, double fraction = 1.0);
+  IncrementReport advance(Body<Space>& body, const Gravity& gravity, double fraction = 1.0,
+                          const Eigen::VectorXd& support_motion = {});
 
 private:
   struct System;
