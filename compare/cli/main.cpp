@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "command.hpp"
-#include "settle/compare/solver_run.hpp"
+#include "settle/compare/command_words.hpp"
 #include "settle/exchange/program.hpp"
 
 namespace {

@@ -28,7 +28,12 @@ struct Task {
   SolverJob job;
 };
 
-std::vector<Task> tasks_of(const std::vector<ExpandedRun>& runs, const RunOptions& options) {
+std::optional<JoinedSolver> joined_in(const Campaign& campaign, const std::string& solver) {
+  const auto found = campaign.solvers.find(solver);
+  return found != campaign.solvers.end() ? std::optional(found->second) : std::nullopt;
+}
+
+std::vector<Task> tasks_of(const Campaign& campaign, const std::vector<ExpandedRun>& runs, const RunOptions& options) {
   std::vector<Task> tasks;
   for (std::size_t r = 0; r < runs.size(); ++r) {
     const ExpandedRun& run = runs[r];
@@ -37,6 +42,7 @@ std::vector<Task> tasks_of(const std::vector<ExpandedRun>& runs, const RunOption
       tasks.push_back({.run = r,
                        .solver = s,
                        .job = {.solver = run.solvers[s],
+                               .joined = joined_in(campaign, run.solvers[s]),
                                .case_file = run.case_file,
                                .overrides = run.overrides,
                                .result_file = result_in(folder, run.solvers[s]),
@@ -154,7 +160,7 @@ bool lacks_its_result(SolverStatus status) {
 CampaignOutcome run_campaign(const Campaign& campaign, const RunOptions& options, const std::atomic<bool>& stop) {
   const auto start = std::chrono::steady_clock::now();
   const std::vector<ExpandedRun> runs = expand(campaign);
-  const std::vector<Task> tasks = tasks_of(runs, options);
+  const std::vector<Task> tasks = tasks_of(campaign, runs, options);
   require_solvers_agree(tasks, options.jobs, stop);
   for (const ExpandedRun& run : runs)
     prepare_run_folder(run_folder(options.folder, run.name), run);

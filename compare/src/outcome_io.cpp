@@ -65,7 +65,13 @@ SolverRun solver_from(const json& stored, const fs::path& folder) {
   return run;
 }
 
-RunOutcome run_from(const json& stored, const fs::path& campaign_folder) {
+void describe_joined(const JoinedSolvers& joined, RunOutcome& run) {
+  for (SolverRun& solver : run.solvers) {
+    if (const auto found = joined.find(solver.solver); found != joined.end()) describe(found->second, solver);
+  }
+}
+
+RunOutcome run_from(const json& stored, const JoinedSolvers& joined, const fs::path& campaign_folder) {
   RunOutcome run;
   run.name = stored.at("name");
   run.note = stored.at("note");
@@ -75,6 +81,7 @@ RunOutcome run_from(const json& stored, const fs::path& campaign_folder) {
   run.study = stored_case(folder);
   for (const json& solver : stored.at("solvers"))
     run.solvers.push_back(solver_from(solver, folder));
+  describe_joined(joined, run);
   judge_into(run);
   return run;
 }
@@ -88,7 +95,7 @@ CampaignOutcome outcome_from(const json& stored, const fs::path& folder) {
   outcome.commit = stored.at("commit");
   outcome.wall_time = stored.at("wall_time");
   for (const json& run : stored.at("runs"))
-    outcome.runs.push_back(run_from(run, folder));
+    outcome.runs.push_back(run_from(run, outcome.campaign.solvers, folder));
   outcome.families = families_of(outcome.runs);
   return outcome;
 }

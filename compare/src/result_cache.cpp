@@ -20,8 +20,11 @@ fs::path key_file(fs::path result_file) {
 } // namespace
 
 std::string result_key(const std::string& case_text, const fs::path& program) {
-  const std::string program_hash = exchange::sha256(read_text(program));
-  return exchange::sha256(fmt::format("{}\n{}\n{}", case_text, program_hash, exchange::result_version));
+  return result_key(case_text, exchange::sha256(read_text(program)));
+}
+
+std::string result_key(const std::string& case_text, const std::string& solver_key) {
+  return exchange::sha256(fmt::format("{}\n{}\n{}", case_text, solver_key, exchange::result_version));
 }
 
 bool is_up_to_date(const fs::path& result_file, const std::string& key) {

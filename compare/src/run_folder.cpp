@@ -16,6 +16,10 @@ fs::path result_in(const fs::path& run_folder, const std::string& solver) {
   return run_folder / (solver + ".h5");
 }
 
+fs::path case_in(const fs::path& run_folder) {
+  return run_folder / "case.toml";
+}
+
 void prepare_run_folder(const fs::path& folder, const ExpandedRun& run) {
   make_folder(folder);
   exchange::Case copy = run.study;
@@ -25,11 +29,11 @@ void prepare_run_folder(const fs::path& folder, const ExpandedRun& run) {
     std::error_code unreadable; // the verdict of the reference says so
     fs::copy_file(original, folder / reference.file, fs::copy_options::overwrite_existing, unreadable);
   }
-  write_text(folder / "case.toml", exchange::to_toml(copy));
+  write_text(case_in(folder), exchange::to_toml(copy));
 }
 
 exchange::Case stored_case(const fs::path& folder) {
-  const fs::path file = folder / "case.toml";
+  const fs::path file = case_in(folder);
   return exchange::parse_case(read_text(file), file.string());
 }
 

@@ -10,7 +10,7 @@ namespace settle::compare::report {
 struct PlotCurve {
   std::string label;
   std::string run;
-  std::string source; ///< as in the campaign file: "mpm", "fem", "exact", "exact-fem", "eq-1", a reference's name
+  std::string source; ///< as in the campaign file: a solver, "exact", "exact-SOLVER", "eq-1", a reference
   Profile profile;
 };
 
@@ -30,6 +30,9 @@ struct Plot {
   std::vector<StageLabel> stage_labels;
   std::vector<std::string> missing; ///< a sentence for each curve that could not be drawn
 };
+
+/// "exact", of what MPM solves, or "exact-SOLVER", of what that one solves.
+bool is_exact(const std::string& source);
 
 /// The curves of a figure of the campaign.
 Plot plot_of(const Figure& figure, const CampaignOutcome& outcome);

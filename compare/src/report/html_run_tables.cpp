@@ -80,7 +80,7 @@ Table solver_table(const RunOutcome& run) {
         steps += stage.steps;
     }
     table.rows.push_back(
-        {{.text = solver.solver},
+        {{.text = solver.solver, .small_print = solver.title},
          {.text = fmt::format("{} {}", finished ? "✓" : "!", name_of(solver.status)),
           .badge = finished ? "passed" : "error"},
          {.text = solver.result ? std::to_string(steps) : std::string(no_value)},
@@ -95,8 +95,7 @@ Table key_figure_table(const RunOutcome& run) {
               {{"Quantity", "", false}, {"Unit", "", false}},
               {}};
   for (const SolverRun& solver : run.solvers) {
-    const std::string name =
-        solver.solver == "mpm" || solver.solver == "fem" ? (solver.solver == "mpm" ? "MPM" : "FEM") : solver.solver;
+    const std::string name = title_of(solver);
     table.columns.push_back({name, "", true});
     table.columns.push_back({"exact", "", true});
     table.columns.push_back({name + " − exact", "", true});

@@ -60,12 +60,6 @@ double of_reference(const ReferenceTable& table, Statistic statistic) {
   return nan;
 }
 
-/// As the result states, else as the case says: a run without a result still has an exact solution.
-exchange::Kinematics kinematics_solved(const RunOutcome& run, const std::string& source) {
-  if (const Result* result = run.result_of(source)) return result->used.kinematics;
-  return source == "fem" ? run.study.fem.kinematics : exchange::Kinematics::finite;
-}
-
 double exact_statistic(const ExactColumn& exact, int last, Statistic statistic) {
   switch (statistic) {
   case Statistic::max_settlement:
@@ -82,6 +76,15 @@ double exact_statistic(const ExactColumn& exact, int last, Statistic statistic) 
 }
 
 } // namespace
+
+exchange::Kinematics kinematics_solved(const RunOutcome& run, const std::string& solver) {
+  if (const Result* result = run.result_of(solver)) return result->used.kinematics;
+  if (solver == "fem") return run.study.fem.kinematics;
+  const auto found = std::find_if(run.solvers.begin(), run.solvers.end(),
+                                  [&](const SolverRun& each) { return each.solver == solver; });
+  return found != run.solvers.end() ? found->kinematics.value_or(exchange::Kinematics::finite)
+                                    : exchange::Kinematics::finite;
+}
 
 double plan_area(const exchange::Case& study) {
   const double depth = study.geometry.dimension == 3 ? study.geometry.depth.value_or(study.geometry.width) : 1.0;

@@ -32,7 +32,8 @@ std::string_view name_of(SolverStatus status);
 
 /// One solver's part of a run.
 struct SolverRun {
-  std::string solver{}; ///< "mpm", "fem"
+  std::string solver{}; ///< "mpm", "fem", or a joined one
+  std::string title{};  ///< of a joined one; see `title_of`
   SolverStatus status = SolverStatus::no_result;
   std::string command{}; ///< as one can type it
   int exit_code = 0;
@@ -41,8 +42,12 @@ struct SolverRun {
   double wall_time = 0;  ///< of the process [s]
   bool reused = false;   ///< an up-to-date result was already there
   std::filesystem::path result_file{};
+  std::optional<exchange::Kinematics> kinematics{}; ///< what a joined solver is said to solve
   std::optional<exchange::Result> result{};
 };
+
+/// What reports call a solver: "MPM", "FEM", its title, or its name.
+std::string title_of(const SolverRun& solver);
 
 /// Where an MPM - FEM difference comes from: it is the sum of the three parts at every probe. Norms over probes,
 /// relative to the same norm of the exact solution of what FEM solves.
@@ -95,6 +100,8 @@ struct CampaignOutcome {
   std::vector<Family> families{}; ///< refinement families among the runs
 
   [[nodiscard]] const RunOutcome* find(const std::string& run) const;
+  /// The solvers of all runs besides mpm and fem, one of each name.
+  [[nodiscard]] std::vector<const SolverRun*> joined_solvers() const;
 };
 
 } // namespace settle::compare

@@ -11,6 +11,9 @@ namespace settle::compare {
 /// Throws FileError where the program cannot be read.
 std::string result_key(const std::string& case_text, const std::filesystem::path& program);
 
+/// The same of a solver that is known by a text, such as its command and the hashes of its files.
+std::string result_key(const std::string& case_text, const std::string& solver_key);
+
 /// Was the result made from the same case by the same program?
 bool is_up_to_date(const std::filesystem::path& result_file, const std::string& key);
 

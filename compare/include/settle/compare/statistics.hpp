@@ -17,6 +17,9 @@ double measured(const RunOutcome& run, const std::string& source, Statistic stat
 /// where the exact column does not exist.
 double exact_value(const RunOutcome& run, const std::string& source, Statistic statistic);
 
+/// What a solver solved, as its result states; without one, as the case or the file that joins it says.
+exchange::Kinematics kinematics_solved(const RunOutcome& run, const std::string& solver);
+
 /// Area on which the column stands: width times depth, per metre out of plane in 2-D [m2/m or m2].
 double plan_area(const exchange::Case& study);
 
