@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "settle/compare/baseline.hpp"
 #include "settle/compare/campaign_io.hpp"
 #include "settle/compare/judge.hpp"
 #include "settle/compare/judge_convergence.hpp"
@@ -20,36 +21,27 @@ namespace {
 constexpr int outcome_version = 2;
 
 json to_json(const SolverRun& solver) {
-  return {{"solver", solver.solver},
-          {"status", static_cast<int>(solver.status)},
-          {"status_name", name_of(solver.status)},
-          {"command", solver.command},
-          {"exit_code", solver.exit_code},
-          {"message", solver.message},
-          {"tail", solver.tail},
-          {"wall_time", solver.wall_time}};
+  return {{"solver", solver.solver},          {"status_name", name_of(solver.status)},
+          {"command", solver.command},        {"exit_code", solver.exit_code},
+          {"message", solver.message},        {"tail", solver.tail},
+          {"wall_time", solver.wall_time},    {"cpu_time", solver.cpu_time},
+          {"peak_memory", solver.peak_memory}};
 }
 
 json to_json(const RunOutcome& run) {
   json solvers = json::array();
   for (const SolverRun& solver : run.solvers)
     solvers.push_back(to_json(solver));
-  return {{"name", run.name},
-          {"note", run.note},
-          {"family", run.family},
-          {"overrides", run.overrides},
+  return {{"name", run.name},           {"note", run.note},           {"family", run.family},
+          {"overrides", run.overrides}, {"case_file", run.case_file}, {"check_places", run.check_places},
           {"solvers", solvers}};
-}
-
-SolverStatus status_from(int number) {
-  const bool known = 0 <= number && number <= static_cast<int>(SolverStatus::not_found);
-  return known ? static_cast<SolverStatus>(number) : SolverStatus::no_result;
 }
 
 /// What the solver left behind: its result where it finished, its failure as it was noted otherwise.
 SolverRun solver_from(const json& stored, const fs::path& folder) {
   const std::string solver = stored.at("solver");
-  const SolverStatus noted = status_from(stored.at("status"));
+  const std::string name = stored.at("status_name");
+  const SolverStatus noted = status_named(name).value_or(SolverStatus::no_result);
   SolverRun run{.solver = solver};
   if (noted == SolverStatus::finished) {
     run = stored_result(solver, result_in(folder, solver));
@@ -62,6 +54,8 @@ SolverRun solver_from(const json& stored, const fs::path& folder) {
   run.command = stored.at("command");
   run.exit_code = stored.at("exit_code");
   run.wall_time = stored.at("wall_time");
+  run.cpu_time = stored.value("cpu_time", 0.0);
+  run.peak_memory = stored.value("peak_memory", 0.0);
   return run;
 }
 
@@ -77,6 +71,8 @@ RunOutcome run_from(const json& stored, const JoinedSolvers& joined, const fs::p
   run.note = stored.at("note");
   run.family = stored.at("family");
   run.overrides = stored.at("overrides").get<std::vector<std::string>>();
+  run.case_file = stored.value("case_file", "");
+  run.check_places = stored.value("check_places", std::vector<std::string>());
   const fs::path folder = run_folder(campaign_folder, run.name);
   run.study = stored_case(folder);
   for (const json& solver : stored.at("solvers"))
@@ -96,6 +92,7 @@ CampaignOutcome outcome_from(const json& stored, const fs::path& folder) {
   outcome.wall_time = stored.at("wall_time");
   for (const json& run : stored.at("runs"))
     outcome.runs.push_back(run_from(run, outcome.campaign.solvers, folder));
+  judge_baseline(folder, outcome);
   outcome.families = families_of(outcome.runs);
   return outcome;
 }

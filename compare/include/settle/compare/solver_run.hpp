@@ -20,9 +20,8 @@ struct SolverJob {
   std::filesystem::path case_file{};
   std::vector<std::string> overrides{}; ///< `key=value`
   std::filesystem::path result_file{};
-  std::string case_text{};   ///< the case with defaults filled in: what an up-to-date result must have been made from
   double time_limit = 600.0; ///< wall time [s]
-  bool fresh = false;        ///< run even where an up-to-date result is there
+  double memory_limit = 0;   ///< of it and its children, together [B]
 };
 
 /// Where the output of a job's solver is kept.
@@ -34,8 +33,8 @@ std::string command_of(const SolverJob& job);
 /// Notes what the file that joins a solver says of it.
 void describe(const JoinedSolver& joined, SolverRun& run);
 
-/// Runs the solver, or takes the up-to-date result that is already there. Never throws for what a solver does: a crash,
-/// a time limit, a missing or unreadable result are statuses.
+/// Runs the solver, after an earlier result was removed; where the solver is not installed that stays. Never throws for
+/// what a solver does: a crash, a limit, a full disk, a missing or unreadable result are statuses.
 SolverRun run_solver(const SolverJob& job, const std::atomic<bool>& stop);
 
 /// Asks the solver whether it could run the case (`--check`), without running it. The solver's complaint where it says
