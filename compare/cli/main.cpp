@@ -22,6 +22,7 @@ std::vector<std::unique_ptr<cli::Command>> all_commands() {
   commands.push_back(cli::make_check_command());
   commands.push_back(cli::make_report_command());
   commands.push_back(cli::make_baseline_command());
+  commands.push_back(cli::make_import_command());
   commands.push_back(cli::make_list_command());
   commands.push_back(cli::make_show_command());
   commands.push_back(cli::make_schema_command());

@@ -27,8 +27,8 @@ public:
         ->check(CLI::IsMember({"text", "gitlab", "junit", "json"}));
   }
   ExitCode run(const std::string&) override {
-    const bool is_file = std::filesystem::is_regular_file(folder_);
-    const CampaignOutcome outcome = read_outcome(is_file ? std::filesystem::path(folder_).parent_path() : folder_);
+    const std::filesystem::path given(folder_);
+    const CampaignOutcome outcome = read_outcome(std::filesystem::is_regular_file(given) ? given.parent_path() : given);
     fmt::print("{}", text_of(outcome));
     if (format_ == "text" && somebody_listens()) announce(outcome);
     return exit_code_of(outcome.runs, outcome.families);

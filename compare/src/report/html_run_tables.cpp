@@ -99,6 +99,11 @@ Table key_figure_table(const RunOutcome& run) {
     table.columns.push_back({"exact", "", true});
     table.columns.push_back({name + " − exact", "", true});
   }
+  for (const auto& [name, reference] : run.references) {
+    const std::string title = reference.title.empty() ? name : reference.title;
+    table.columns.push_back({title, "", true});
+    table.columns.push_back({title + " − exact", "", true});
+  }
   for (const Statistic statistic : {Statistic::max_settlement, Statistic::max_vertical_stress, Statistic::mean_density,
                                     Statistic::base_reaction_stress, Statistic::refilled_points}) {
     const StatisticForm form = form_of(statistic);
@@ -109,6 +114,11 @@ Table key_figure_table(const RunOutcome& run) {
       row.push_back({.text = value_text(statistic, value, 5)});
       row.push_back({.text = value_text(statistic, exact, 5)});
       row.push_back({.text = difference_text(statistic, value, exact)});
+    }
+    for (const auto& [name, reference] : run.references) {
+      const double value = measured(run, name, statistic);
+      row.push_back({.text = value_text(statistic, value, 5)});
+      row.push_back({.text = difference_text(statistic, value, exact_value(run, name, statistic))});
     }
     table.rows.push_back(std::move(row));
   }

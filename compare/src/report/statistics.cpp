@@ -43,6 +43,18 @@ double total_volume(const exchange::SamplePoints& points) {
   return sum;
 }
 
+/// Mass over volume of all rows of a stage [kg/m3].
+double mean_density(const ReferenceTable& table, int stage) {
+  double mass = 0.0;
+  double volume = 0.0;
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    if (table.stage[i] != stage) continue;
+    mass += table.density[i] * table.volume[i];
+    volume += table.volume[i];
+  }
+  return mass / volume;
+}
+
 double of_reference(const ReferenceTable& table, Statistic statistic) {
   if (table.size() == 0) return nan;
   constexpr double lowest = -std::numeric_limits<double>::infinity();
@@ -53,6 +65,7 @@ double of_reference(const ReferenceTable& table, Statistic statistic) {
   case Statistic::max_vertical_stress:
     return largest(table_samples(table, last, Quantity::vertical_stress), -1.0, lowest);
   case Statistic::mean_density:
+    return mean_density(table, last);
   case Statistic::base_reaction_stress:
   case Statistic::refilled_points:
     return nan;

@@ -9,7 +9,7 @@
 namespace settle::compare {
 
 /// What a solver's result says at its last stage [SI, stresses compression positive]; NaN where there is no result, or
-/// a source that has no such number (FEM refills nothing). Refilled points are left out. Settlement: the largest over
+/// a source that has no such number (FEM refills nothing, a table has no reaction). Refilled points are left out. Settlement: the largest over
 /// points and probes; stress: over points, for solvers other than MPM over probes too (MPM's are extrapolated there).
 double measured(const RunOutcome& run, const std::string& source, Statistic statistic);
 
