@@ -29,7 +29,8 @@ public:
     if (progress.ended != nullptr) fmt::print(stderr, "{}\n", ended_line(progress));
   }
   void end(exchange::ExitCode, const std::string& summary, const std::string& report) override {
-    fmt::print("{}\nreport: {}\n", summary, report);
+    fmt::print("{}\n", summary);
+    if (!report.empty()) fmt::print("report: {}\n", report);
   }
 };
 

@@ -24,7 +24,7 @@ public:
   virtual void plan(const Plan& plan) = 0;
   /// Called by one thread at a time.
   virtual void progress(const Progress& progress) = 0;
-  /// `summary`: the verdicts, for people; `report`: the page.
+  /// `summary`: the verdicts, for people; `report`: the page, empty where it could not be written.
   virtual void end(exchange::ExitCode code, const std::string& summary, const std::string& report) = 0;
 };
 

@@ -45,7 +45,7 @@ FinishedCampaign run_due(const Campaign& campaign, const Plan& plan, const RunOp
     write_outcome(outcome, options.folder);
     write_report(outcome, options.folder);
   } catch (const exchange::Error&) { // a full disk, for instance: the verdicts are known all the same
-    display.end(ExitCode::file_failed, end.summary, "none");
+    display.end(ExitCode::file_failed, end.summary, "");
     throw;
   }
   return end;

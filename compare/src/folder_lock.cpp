@@ -30,7 +30,7 @@ std::string host_name() {
 }
 
 /// When a process started, in the kernel's ticks, so that its number given to another is noticed; 0 where there is
-/// none.
+/// none, or one that has ended and waits to be reaped.
 unsigned long long start_of(pid_t process) {
   std::ifstream file(fmt::format("/proc/{}/stat", process));
   std::stringstream content;
@@ -39,9 +39,10 @@ unsigned long long start_of(pid_t process) {
   const auto name_end = text.rfind(')'); // a name may hold anything
   if (name_end == std::string::npos) return 0;
   std::istringstream fields(text.substr(name_end + 1));
-  constexpr int before_start = 19; // state is field 3, the start is field 22 (proc(5))
-  std::string skipped;
-  for (int i = 0; i < before_start; ++i)
+  constexpr int between = 18; // the state is field 3, the start is field 22 (proc(5))
+  std::string state, skipped;
+  if (!(fields >> state) || state == "Z" || state == "X") return 0;
+  for (int i = 0; i < between; ++i)
     fields >> skipped;
   unsigned long long start = 0;
   fields >> start;

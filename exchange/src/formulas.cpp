@@ -69,7 +69,8 @@ struct Formulas::Implementation {
   };
   using List = std::vector<Formula>;
 
-  explicit Implementation(const Case& study) : constants(constants_of(study)), values(study.motion->let.size()) {
+  explicit Implementation(const Case& study)
+      : constants(constants_of(study)), values(study.motion->let.size()) {
     const Motion& motion = *study.motion;
     for (std::size_t i = 0; i < motion.let.size(); ++i)
       define(study, motion.let[i], fmt::format("motion.let.{}", i));
@@ -82,8 +83,8 @@ struct Formulas::Implementation {
 
   std::vector<Constant> constants;
   Variables variables;
-  std::vector<std::string> names; ///< of the abbreviations
-  std::vector<double> values;     ///< theirs; never resized, parsers point into it
+  std::vector<std::string> names;  ///< of the abbreviations
+  std::vector<double> values;      ///< theirs; never resized, parsers point into it
   List abbreviations;
   List displacement, stress, velocity, acceleration, body_force;
 
@@ -149,13 +150,13 @@ struct Formulas::Implementation {
   [[noreturn]] void refuse(const Case& study, const std::string& text, const std::string& key,
                            const mu::Parser::exception_type& error) const {
     const auto nearest = nearest_spelling(error.GetToken(), known_names());
-    throw InputError({.where = study.where(key),
-                      .what = fmt::format("{} cannot be understood: {}", key, error.GetMsg()),
-                      .given = text,
-                      .allowed = fmt::format("a formula of {} and the usual functions", fmt::join(known_names(), ", ")),
-                      .remedy = nearest && error.GetCode() == mu::ecUNASSIGNABLE_TOKEN
-                                    ? fmt::format("did you mean {}?", *nearest)
-                                    : std::string()});
+    throw InputError(
+        {.where = study.where(key),
+         .what = fmt::format("{} cannot be understood: {}", key, error.GetMsg()),
+         .given = text,
+         .allowed = fmt::format("a formula of {} and the usual functions", fmt::join(known_names(), ", ")),
+         .remedy = nearest && error.GetCode() == mu::ecUNASSIGNABLE_TOKEN ? fmt::format("did you mean {}?", *nearest)
+                                                                          : std::string()});
   }
 
   template <std::size_t n>

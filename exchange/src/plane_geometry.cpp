@@ -69,10 +69,9 @@ std::vector<int> layers_at(const Geometry& geometry, const PlanePoint& point, do
 }
 
 int nearest_layer(const Geometry& geometry, const PlanePoint& point) {
-  const auto nearest =
-      std::min_element(geometry.polygons.begin(), geometry.polygons.end(), [&](const Polygon& a, const Polygon& b) {
-        return distance_outside(a, point) < distance_outside(b, point);
-      });
+  const auto nearest = std::min_element(
+      geometry.polygons.begin(), geometry.polygons.end(),
+      [&](const Polygon& a, const Polygon& b) { return distance_outside(a, point) < distance_outside(b, point); });
   return nearest->layer;
 }
 

@@ -89,12 +89,12 @@ void check_extent(const Case& study, const std::string& key, double given, doubl
 void check_layers_of_polygons(const Case& study, Reading& reading) {
   for (int layer = 1; layer <= study.construction.layers; ++layer) {
     if (layer_area(study.geometry, layer) > 0) continue;
-    reading.complain(
-        {.where = study.where("construction.layers"),
-         .what = fmt::format("layer {} has no polygon", layer),
-         .given = fmt::format("{} layers, {} polygons", study.construction.layers, study.geometry.polygons.size()),
-         .allowed = "at least one [[geometry.polygon]] for each layer",
-         .remedy = {}});
+    reading.complain({.where = study.where("construction.layers"),
+                      .what = fmt::format("layer {} has no polygon", layer),
+                      .given = fmt::format("{} layers, {} polygons", study.construction.layers,
+                                           study.geometry.polygons.size()),
+                      .allowed = "at least one [[geometry.polygon]] for each layer",
+                      .remedy = {}});
   }
 }
 

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "command_line.hpp"
+#include "settle/exchange/case_io.hpp"
 
 namespace settle::compare::test {
 namespace {
@@ -149,7 +150,7 @@ TEST_F(CampaignEngine, ProgressForProgramsIsOneJsonObjectALine) {
   std::istringstream lines(run_program(shell, {}).text);
   std::map<std::string, int> events;
   json last;
-  for (std::string line; std::getline(lines, line); ++events[last.at("event")])
+  for (std::string line; std::getline(lines, line); ++events[last.at("event").get<std::string>()])
     last = json::parse(line);
   EXPECT_EQ(events, (std::map<std::string, int>{{"started", 6}, {"ended", 6}, {"campaign ended", 1}}));
   EXPECT_EQ(last.at("exit_code"), 0);

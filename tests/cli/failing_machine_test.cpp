@@ -55,7 +55,7 @@ TEST_F(FailingMachine, AResultOfAnotherVersionIsToldFromGarbage) {
 }
 
 TEST_F(FailingMachine, AFolderThatCannotBeCreatedIsExitCodeFour) {
-  folder.file("out", "a file, not a folder");
+  std::ofstream(out()) << "a file, not a folder";
   const Answer answer = campaign();
   EXPECT_EQ(answer.code, 4);
   EXPECT_THAT(answer.text, AllOf(HasSubstr("folder cannot be created"), HasSubstr("--out")));

@@ -106,8 +106,8 @@ protected:
   void expect_finished_like(const fs::path& undisturbed) const {
     for (int i = 1; i <= runs_; ++i) {
       const fs::path run = out() / "runs" / fmt::format("run_{}", i);
-      const auto study = exchange::parse_case(exchange::read_result(run / "mpm.h5").case_text, "result");
-      EXPECT_EQ(study.title, std::to_string(i)); // it is this run's
+      const auto solved = exchange::parse_case(exchange::read_result(run / "mpm.h5").case_text, "result");
+      EXPECT_EQ(solved.title, std::to_string(i)); // it is this run's
       for (const auto& entry : fs::directory_iterator(run))
         EXPECT_NE(entry.path().extension(), ".partial") << entry.path();
     }

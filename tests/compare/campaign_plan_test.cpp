@@ -1,5 +1,7 @@
 #include "settle/compare/campaign_plan.hpp"
 
+#include <fstream>
+
 #include <gmock/gmock.h>
 
 #include "paper_cases.hpp"
@@ -17,7 +19,10 @@ protected:
   CampaignPlan() {
     setenv("SETTLE_MPM", folder_.script("solver", "true").c_str(), 1);
     for (const std::string name : {"a", "b", "c", "d"}) {
-      ExpandedRun run{.name = name, .solvers = {"mpm"}, .study = paper_case(4, exchange::Convention::refill)};
+      ExpandedRun run;
+      run.name = name;
+      run.solvers = {"mpm"};
+      run.study = paper_case(4, exchange::Convention::refill);
       run.study.title = name;
       runs_.push_back(run);
       std::filesystem::create_directories(run_folder(folder_.path(), name));

@@ -25,6 +25,8 @@ protected:
          .case_file = "column.toml",
          .set = {{"construction.convention", "\"drop\""}},
          .matrix = {{"construction.layers", {"5", "10"}}, {"material.fill.law", {"\"rate\"", "\"hencky\""}}},
+         .zip = {},
+         .memory_limit = {},
          .note = {}});
   }
   std::string error_of() const {

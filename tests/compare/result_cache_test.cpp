@@ -15,9 +15,10 @@ namespace fs = std::filesystem;
 class ResultCache : public testing::Test {
 protected:
   ResultCache() {
-    folder_.file("mpm.h5", "a result");
+    write("mpm.h5", "a result");
     note_success(result_, {.made_from = from_, .wall_time = 2.5, .cpu_time = 2.0, .peak_memory = 1e6, .result = {}});
   }
+  void write(const std::string& name, const std::string& text) const { write_text(folder_.path() / name, text); }
   [[nodiscard]] Reason reason(const MadeFrom& from) const { return reason_to_run(result_, read_record(result_), from); }
 
   ScratchFolder folder_;
@@ -58,12 +59,12 @@ TEST_F(ResultCache, AResultWithoutItsRecordIsNew) {
 TEST_F(ResultCache, ARecordThatIsCutShortIsAsGoodAsNone) {
   fs::resize_file(folder_.path() / "mpm.key", 20);
   EXPECT_EQ(reason(from_), Reason::never_run);
-  folder_.file("mpm.key", "");
+  write("mpm.key", "");
   EXPECT_EQ(reason(from_), Reason::never_run);
 }
 
 TEST_F(ResultCache, AnotherContentOfTheSameSizeIsDamaged) {
-  folder_.file("mpm.h5", "another.");
+  write("mpm.h5", "another.");
   fs::last_write_time(result_, fs::last_write_time(result_) + std::chrono::seconds(1));
   EXPECT_EQ(reason(from_), Reason::damaged);
 }
@@ -79,7 +80,7 @@ TEST_F(ResultCache, AFailureIsNotUpToDateEvenWithAResultBesideIt) {
 }
 
 TEST_F(ResultCache, DiscardingKeepsTheCost) {
-  folder_.file("mpm.h5.partial", "half");
+  write("mpm.h5.partial", "half");
   discard_result(result_);
   EXPECT_FALSE(fs::exists(result_));
   EXPECT_FALSE(fs::exists(folder_.path() / "mpm.h5.partial"));

@@ -13,8 +13,11 @@ using testing::HasSubstr;
 std::vector<ExpandedRun> some_runs() {
   std::vector<ExpandedRun> runs;
   for (const auto& [name, family] : std::vector<std::pair<std::string, std::string>>{
-           {"a", ""}, {"f 1", "f"}, {"f 2", "f"}, {"f 3", "f"}, {"b", ""}, {"g 1", "g"}, {"g 2", "g"}, {"c", ""}})
-    runs.push_back({.name = name, .family = family});
+           {"a", ""}, {"f 1", "f"}, {"f 2", "f"}, {"f 3", "f"}, {"b", ""}, {"g 1", "g"}, {"g 2", "g"}, {"c", ""}}) {
+    ExpandedRun& run = runs.emplace_back();
+    run.name = name;
+    run.family = family;
+  }
   return runs;
 }
 
@@ -56,8 +59,9 @@ TEST(Shards, SayThatTheyAreOneAndShowWhatTheyCan) {
   Campaign campaign;
   campaign.title = "Everything";
   campaign.figures.resize(2);
-  campaign.figures[0].curves = {{.run = "a", .source = "mpm", .label = "", .density = {}, .density_of = ""}};
-  campaign.figures[1].curves = {{.run = "a", .source = "mpm", .label = "", .density = {}, .density_of = "g 1"}};
+  for (Figure& figure : campaign.figures)
+    figure.curves.emplace_back().run = "a";
+  campaign.figures[1].curves.front().density_of = "g 1";
   campaign.published.resize(1);
   campaign.published[0].run = "g 2";
   const Campaign part = campaign_of({1, 2}, campaign, runs_of({1, 2}, some_runs()), 8);
