@@ -104,7 +104,7 @@ std::string quoted(const std::string& word) {
 std::string joined(const std::vector<std::string>& words) {
   std::string line;
   for (const std::string& word : words)
-    line += (line.empty() ? "" : " ") + quoted(word);
+    line.append(line.empty() ? "" : " ").append(quoted(word));
   return line;
 }
 
