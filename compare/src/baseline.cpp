@@ -22,8 +22,8 @@ void add_figures(const RunOutcome& run, const SolverRun& solver, BaselineValues&
                                     Statistic::base_reaction_stress}) {
     const double value = measured(run, solver.solver, statistic);
     if (!std::isfinite(value) || value == 0.0) continue;
-    values[fmt::format("{}: {} {}", run.name, solver.solver, exchange::name_of(statistic))] = {.value = value,
-                                                                                     .scale = std::abs(value)};
+    values[fmt::format("{}: {} {}", run.name, solver.solver, exchange::name_of(statistic))] = {
+        .value = value, .scale = std::abs(value)};
   }
 }
 

@@ -9,8 +9,9 @@
 namespace settle::compare {
 
 /// What a solver's result says at its last stage [SI, stresses compression positive]; NaN where there is no result, or
-/// a source that has no such number (FEM refills nothing, a table has no reaction). Refilled points are left out. Settlement: the largest over
-/// points and probes; stress: over points, for solvers other than MPM over probes too (MPM's are extrapolated there).
+/// a source that has no such number (FEM refills nothing, a table has no reaction). Refilled points are left out.
+/// Settlement: the largest over points and probes; stress: over points, for solvers other than MPM over probes too
+/// (MPM's are extrapolated there).
 double measured(const RunOutcome& run, const std::string& source, Statistic statistic);
 
 /// The same of the exact solution of what the solver solves; NaN for refilled points, which have no exact number, and
