@@ -1,18 +1,9 @@
-#include <algorithm>
 #include <filesystem>
-#include <thread>
 #include <vector>
 
-#include <fmt/format.h>
-
 #include "command.hpp"
-#include "progress.hpp"
+#include "run_and_report.hpp"
 #include "settle/compare/campaign_io.hpp"
-#include "settle/compare/campaign_run.hpp"
-#include "settle/compare/interrupt.hpp"
-#include "settle/compare/outcome_io.hpp"
-#include "settle/compare/report.hpp"
-#include "summary.hpp"
 
 namespace settle::compare::cli {
 
@@ -20,37 +11,6 @@ using exchange::ExitCode;
 namespace fs = std::filesystem;
 
 namespace {
-
-/// Options of everything that runs solvers.
-struct Options {
-  std::string out;
-  int jobs = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-  bool fresh = false;
-
-  void declare(CLI::App& app, const std::string& default_out) {
-    app.add_option("--out", out, "folder that gets results and report; left out: " + default_out);
-    app.add_option("-j,--jobs", jobs, "solvers at a time; left out: the number of cores")->check(CLI::PositiveNumber);
-    app.add_flag("--fresh", fresh, "run again what is up to date");
-  }
-};
-
-ExitCode run_and_report(const Campaign& campaign, const Options& options, const fs::path& folder,
-                        const std::string& command_line) {
-  watch_interrupts();
-  ProgressLine line;
-  const RunOptions run_options{.folder = folder,
-                               .jobs = options.jobs,
-                               .fresh = options.fresh,
-                               .on_progress = [&](const Progress& progress) { line.show(progress); }};
-  CampaignOutcome outcome = run_campaign(campaign, run_options, interrupted());
-  line.clear();
-  outcome.command = command_line;
-  write_outcome(outcome, folder);
-  fmt::print("{}\n", summary_text(outcome));
-  write_report(outcome, folder);
-  fmt::print("report: {}\n", (folder / "report.html").string());
-  return exit_code_of(outcome.runs, outcome.families);
-}
 
 /// A case as it is given to a command.
 struct GivenCase {
@@ -67,7 +27,7 @@ struct GivenCase {
         ->delimiter(',')
         ->check(CLI::IsMember({"mpm", "fem"}));
   }
-  [[nodiscard]] fs::path folder(const Options& options, const std::string& suffix) const {
+  [[nodiscard]] fs::path folder(const RunningOptions& options, const std::string& suffix) const {
     return options.out.empty() ? fs::path("results") / (fs::path(file).stem().string() + suffix)
                                : fs::path(options.out);
   }
@@ -88,7 +48,7 @@ public:
 
 private:
   GivenCase case_{.solvers = {"mpm", "fem"}};
-  Options options_;
+  RunningOptions options_;
 };
 
 class ConvergeCommand : public Command {
@@ -106,7 +66,7 @@ public:
 
 private:
   GivenCase case_;
-  Options options_;
+  RunningOptions options_;
 };
 
 /// A file called campaign.toml is named after its folder.
@@ -123,6 +83,8 @@ public:
   void declare(CLI::App& app) override {
     app.add_option("FILE", file_, "campaign file (TOML)")->required();
     options_.declare(app, "results/NAME, NAME being the file's, or its folder's for campaign.toml");
+    app.add_option("--shard", options_.shard,
+                   "i/n: only the i-th of n parts, dealt out run by run, a refinement family as one");
   }
   ExitCode run(const std::string& command_line) override {
     const Campaign campaign = read_campaign(file_);
@@ -132,7 +94,7 @@ public:
 
 private:
   std::string file_;
-  Options options_;
+  RunningOptions options_;
 };
 
 } // namespace

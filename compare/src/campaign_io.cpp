@@ -17,18 +17,27 @@ namespace {
 
 KeyTable<RunEntry> run_keys() {
   KeyTable<RunEntry> keys("A case, the solvers that run it, what is set and what is varied.");
-  keys.text(
-      "name", &RunEntry::name,
-      {.required = true, .doc = "unique; {construction.layers} in it stands for the value of that key of the matrix"});
+  keys.text("name", &RunEntry::name,
+            {.required = true,
+             .doc = "unique; {construction.layers} in it stands for the value of that key of matrix or zip"});
   keys.text("case", &RunEntry::case_file, {.required = true, .doc = "the case file, relative to the campaign file"});
   keys.texts("solvers", &RunEntry::solvers, {.count = {.least = 1}, .doc = "mpm, fem, or both"});
   keys.toml_values("set", &RunEntry::set, {.doc = "keys of the case that are set for the whole run"});
   keys.toml_lists("matrix", &RunEntry::matrix,
                   {.doc = "keys of the case that are varied; every combination of their values is a run"});
+  keys.toml_lists("zip", &RunEntry::zip,
+                  {.doc =
+                       "keys of the case that are varied in step: the first values of all are a run, then the second "
+                       "ones; with a matrix, each of these with every combination"});
   keys.boolean("converge", &RunEntry::converge,
                {.doc = "run the levels of the case's [converge] and judge how they converge"});
   keys.real("time_limit", &RunEntry::time_limit,
             {.unit = "s", .range = exchange::above(0), .doc = "wall time of one solver, after which it is stopped"});
+  keys.real("memory_limit", &RunEntry::memory_limit,
+            {.unit = "B",
+             .range = exchange::above(0),
+             .left_out = "nine tenths of the machine's",
+             .doc = "memory of one solver, above which it is stopped"});
   keys.text("note", &RunEntry::note, {.doc = "shown in the report: what the run is for, what is known to differ"});
   return keys;
 }

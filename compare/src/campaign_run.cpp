@@ -1,18 +1,14 @@
 #include "settle/compare/campaign_run.hpp"
 
-#include <algorithm>
+#include <atomic>
 #include <chrono>
-#include <mutex>
 #include <set>
-
-#include <fmt/format.h>
 
 #include "parallel.hpp"
 #include "settle/compare/judge.hpp"
 #include "settle/compare/judge_convergence.hpp"
 #include "settle/compare/run_folder.hpp"
 #include "settle/compare/solver_run.hpp"
-#include "settle/exchange/case_io.hpp"
 #include "settle/exchange/program.hpp"
 
 namespace settle::compare {
@@ -21,87 +17,10 @@ using exchange::ExitCode;
 
 namespace {
 
-/// One solver's part of an expanded run.
-struct Task {
-  std::size_t run = 0;
-  std::size_t solver = 0; ///< index in the run
-  SolverJob job;
-};
-
-std::vector<Task> tasks_of(const std::vector<ExpandedRun>& runs, const RunOptions& options) {
-  std::vector<Task> tasks;
-  for (std::size_t r = 0; r < runs.size(); ++r) {
-    const ExpandedRun& run = runs[r];
-    const std::filesystem::path folder = run_folder(options.folder, run.name);
-    for (std::size_t s = 0; s < run.solvers.size(); ++s) {
-      tasks.push_back({.run = r,
-                       .solver = s,
-                       .job = {.solver = run.solvers[s],
-                               .case_file = run.case_file,
-                               .overrides = run.overrides,
-                               .result_file = result_in(folder, run.solvers[s]),
-                               .case_text = exchange::to_toml(run.study),
-                               .time_limit = run.time_limit,
-                               .fresh = options.fresh}});
-    }
-  }
-  return tasks;
-}
-
 void throw_if_interrupted(const std::atomic<bool>& stop) {
   if (stop)
     throw exchange::Error(ExitCode::interrupted, "interrupted; finished results are kept and will be used again");
 }
-
-/// Every solver sees every case before any of them runs. All complaints come in one error, each once.
-void require_solvers_agree(const std::vector<Task>& tasks, int jobs, const std::atomic<bool>& stop) {
-  std::vector<std::string> complaints(tasks.size());
-  parallel_for(tasks.size(), jobs, [&](std::size_t i) {
-    if (!stop) complaints[i] = complaint_of(tasks[i].job, stop).value_or("");
-  });
-  throw_if_interrupted(stop);
-  std::set<std::string> shown;
-  std::string text;
-  for (const std::string& complaint : complaints) {
-    if (!complaint.empty() && shown.insert(complaint).second) text += (text.empty() ? "" : "\n") + complaint;
-  }
-  if (!text.empty()) throw exchange::InputError(text);
-}
-
-/// Tells the observer, one thread at a time, what runs and what has ended.
-class Observer {
-public:
-  Observer(std::size_t total, std::function<void(const Progress&)> tell) : tell_(std::move(tell)) {
-    progress_.total = total;
-  }
-
-  void started(const std::string& run, const std::string& solver) {
-    const std::scoped_lock lock(mutex_);
-    progress_.running.push_back(title(run, solver));
-    report();
-  }
-  void ended(const std::string& run, const SolverRun& solver) {
-    const std::scoped_lock lock(mutex_);
-    const auto position = std::find(progress_.running.begin(), progress_.running.end(), title(run, solver.solver));
-    progress_.running.erase(position);
-    ++progress_.finished;
-    progress_.run = run;
-    progress_.ended = &solver;
-    report();
-    progress_.run.clear();
-    progress_.ended = nullptr;
-  }
-
-private:
-  static std::string title(const std::string& run, const std::string& solver) { return run + ", " + solver; }
-  void report() const {
-    if (tell_) tell_(progress_);
-  }
-
-  std::mutex mutex_;
-  Progress progress_;
-  std::function<void(const Progress&)> tell_;
-};
 
 std::vector<RunOutcome> outcomes_of(const std::vector<ExpandedRun>& runs) {
   std::vector<RunOutcome> outcomes;
@@ -118,25 +37,109 @@ std::vector<RunOutcome> outcomes_of(const std::vector<ExpandedRun>& runs) {
   return outcomes;
 }
 
-void run_all(const std::vector<Task>& tasks, const RunOptions& options, const std::atomic<bool>& stop,
-             std::vector<RunOutcome>& outcomes) {
-  Observer observer(tasks.size(), options.on_progress);
-  parallel_for(tasks.size(), options.jobs, [&](std::size_t i) {
-    if (stop) return;
-    const Task& task = tasks[i];
-    RunOutcome& outcome = outcomes[task.run];
-    observer.started(outcome.name, task.job.solver);
-    outcome.solvers[task.solver] = run_solver(task.job, stop);
-    observer.ended(outcome.name, outcome.solvers[task.solver]);
-  });
-  throw_if_interrupted(stop);
+/// A run's folder, or why it cannot be written.
+std::string complaint_of_folder(const std::filesystem::path& folder, const ExpandedRun& run) {
+  try {
+    prepare_run_folder(folder, run);
+    return {};
+  } catch (const exchange::FileError& error) {
+    return error.what();
+  }
 }
+
+void fail(SolverRun& run, SolverStatus status, const std::string& message) {
+  run.status = is_full(run.result_file.parent_path()) ? SolverStatus::disk_full : status;
+  run.message = message;
+  run.result.reset();
+}
+
+/// Notes what an attempt was made from and has cost, and with a result what that holds.
+void note(const Task& task, SolverRun& run) {
+  const RunRecord record{.made_from = task.made_from,
+                         .wall_time = run.wall_time,
+                         .cpu_time = run.cpu_time,
+                         .peak_memory = run.peak_memory};
+  try {
+    if (run.status == SolverStatus::finished) {
+      note_success(task.job.result_file, record);
+    } else if (run.status != SolverStatus::not_found) {
+      note_record(task.job.result_file, record);
+    }
+  } catch (const exchange::FileError& error) {
+    if (run.status == SolverStatus::finished) fail(run, SolverStatus::file_failed, error.what());
+  }
+}
+
+/// A solver's result that is up to date, with what it has cost.
+SolverRun taken_up(const Task& task) {
+  SolverRun run = stored_result(task.job.solver, task.job.result_file);
+  run.command = command_of(task.job);
+  run.wall_time = task.record->wall_time;
+  run.cpu_time = task.record->cpu_time;
+  run.peak_memory = task.record->peak_memory;
+  return run;
+}
+
+/// The tasks of a plan being worked off by several threads.
+class Execution {
+public:
+  Execution(const Plan& plan, const RunOptions& options, const std::atomic<bool>& stop, std::vector<RunOutcome>& runs)
+      : plan_(plan), options_(options), stop_(stop), runs_(runs), observer_(plan, options.jobs, options.on_progress),
+        unfinished_(runs.size()) {}
+
+  void run_all() {
+    for (std::size_t r = 0; r < plan_.runs.size(); ++r) {
+      const ExpandedRun& run = plan_.runs[r];
+      folder_complaints_.push_back(complaint_of_folder(run_folder(options_.folder, run.name), run));
+      unfinished_[r] = run.solvers.size();
+    }
+    const std::vector<std::size_t> order = order_of(plan_);
+    parallel_for(order.size(), options_.jobs, [&](std::size_t i) {
+      if (!stop_) execute(plan_.tasks[order[i]]);
+    });
+  }
+
+private:
+  void execute(const Task& task) {
+    RunOutcome& run = runs_[task.run];
+    observer_.started(task);
+    run.solvers[task.solver] = outcome_of(task);
+    observer_.ended(task, run.solvers[task.solver]);
+    if (--unfinished_[task.run] == 0 && !stop_) judge_into(run);
+  }
+
+  SolverRun outcome_of(const Task& task) {
+    if (!task.is_due()) {
+      SolverRun run = taken_up(task);
+      if (run.status == SolverStatus::finished) return run; // else this build cannot read it: it is run
+    }
+    if (const std::string& complaint = folder_complaints_[task.run]; !complaint.empty()) {
+      SolverRun run{.solver = task.job.solver, .command = command_of(task.job), .result_file = task.job.result_file};
+      fail(run, SolverStatus::no_folder, complaint);
+      return run;
+    }
+    SolverRun run = run_solver(task.job, stop_);
+    if (!stop_ || run.status == SolverStatus::finished) note(task, run);
+    return run;
+  }
+
+  const Plan& plan_;
+  const RunOptions& options_;
+  const std::atomic<bool>& stop_;
+  std::vector<RunOutcome>& runs_;
+  Observer observer_;
+  std::vector<std::string> folder_complaints_;
+  std::vector<std::atomic<std::size_t>> unfinished_; ///< solvers of each run
+};
 
 bool lacks_its_result(SolverStatus status) {
   switch (status) {
   case SolverStatus::file_failed:
   case SolverStatus::no_result:
   case SolverStatus::bad_result:
+  case SolverStatus::wrong_version:
+  case SolverStatus::disk_full:
+  case SolverStatus::no_folder:
     return true;
   case SolverStatus::finished:
   case SolverStatus::bad_input:
@@ -144,6 +147,7 @@ bool lacks_its_result(SolverStatus status) {
   case SolverStatus::crashed:
   case SolverStatus::timed_out:
   case SolverStatus::not_found:
+  case SolverStatus::out_of_memory:
     return false;
   }
   return false;
@@ -151,22 +155,32 @@ bool lacks_its_result(SolverStatus status) {
 
 } // namespace
 
-CampaignOutcome run_campaign(const Campaign& campaign, const RunOptions& options, const std::atomic<bool>& stop) {
+void require_solvers_agree(const Plan& plan, int jobs, const std::atomic<bool>& stop) {
+  std::vector<std::string> complaints(plan.tasks.size());
+  parallel_for(plan.tasks.size(), jobs, [&](std::size_t i) {
+    const Task& task = plan.tasks[i];
+    if (!stop && task.is_due()) complaints[i] = complaint_of(task.job, stop).value_or("");
+  });
+  throw_if_interrupted(stop);
+  std::set<std::string> shown;
+  std::string text;
+  for (const std::string& complaint : complaints) {
+    if (!complaint.empty() && shown.insert(complaint).second) text += (text.empty() ? "" : "\n") + complaint;
+  }
+  if (!text.empty()) throw exchange::InputError(text);
+}
+
+CampaignOutcome run_campaign(const Campaign& campaign, const Plan& plan, const RunOptions& options,
+                             const std::atomic<bool>& stop) {
   const auto start = std::chrono::steady_clock::now();
-  const std::vector<ExpandedRun> runs = expand(campaign);
-  const std::vector<Task> tasks = tasks_of(runs, options);
-  require_solvers_agree(tasks, options.jobs, stop);
-  for (const ExpandedRun& run : runs)
-    prepare_run_folder(run_folder(options.folder, run.name), run);
   CampaignOutcome outcome{.campaign = campaign,
                           .command = {},
                           .created = exchange::utc_now(),
                           .program_version = exchange::program_version(),
                           .commit = exchange::program_commit(),
-                          .runs = outcomes_of(runs)};
-  run_all(tasks, options, stop, outcome.runs);
-  for (RunOutcome& run : outcome.runs)
-    judge_into(run);
+                          .runs = outcomes_of(plan.runs)};
+  Execution(plan, options, stop, outcome.runs).run_all();
+  throw_if_interrupted(stop);
   outcome.families = families_of(outcome.runs);
   outcome.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return outcome;

@@ -36,6 +36,49 @@ std::vector<Settings> combinations(const std::map<std::string, std::vector<std::
   return all;
 }
 
+/// The steps of a zip; one empty step where there is none. Throws InputError for lists that are not of one length.
+std::vector<Settings> steps(const std::map<std::string, std::vector<std::string>>& zip, const std::string& file) {
+  if (zip.empty()) return {{}};
+  const auto& [first_key, first_values] = *zip.begin();
+  std::vector<Settings> all(first_values.size());
+  for (const auto& [key, values] : zip) {
+    if (values.size() != all.size()) {
+      throw InputError({.where = file,
+                        .what = fmt::format("the lists of a zip are not of one length: {} and {}", first_key, key),
+                        .given = fmt::format("{} and {} values", all.size(), values.size()),
+                        .allowed = "lists of one length, which run in step",
+                        .remedy = "use matrix for every combination"});
+    }
+    for (std::size_t i = 0; i < all.size(); ++i)
+      all[i].emplace_back(key, values[i]);
+  }
+  return all;
+}
+
+/// Every step of the zip with every combination of the matrix.
+std::vector<Settings> variations(const RunEntry& entry, const std::string& file) {
+  std::vector<Settings> all;
+  for (const Settings& step : steps(entry.zip, file)) {
+    for (const Settings& combination : combinations(entry.matrix)) {
+      all.push_back(step);
+      all.back().insert(all.back().end(), combination.begin(), combination.end());
+    }
+  }
+  return all;
+}
+
+/// A key is varied in one way only.
+void require_varied_once(const RunEntry& entry, const std::string& file) {
+  for (const auto& [key, values] : entry.zip) {
+    if (!entry.matrix.contains(key)) continue;
+    throw InputError({.where = file,
+                      .what = fmt::format("the run \"{}\" varies a key twice", entry.name),
+                      .given = key + " in matrix and in zip",
+                      .allowed = "each key in one of the two",
+                      .remedy = {}});
+  }
+}
+
 std::string without_quotes(const std::string& value) {
   const bool quoted =
       value.size() >= 2 && value.front() == value.back() && (value.front() == '"' || value.front() == '\'');
@@ -55,7 +98,7 @@ std::string name_with(const std::string& pattern, const Settings& settings, cons
     for (const auto& [key, value] : settings)
       keys.push_back("{" + key + "}");
     throw InputError({.where = file,
-                      .what = "the name of a run has a placeholder that is no key of its matrix",
+                      .what = "the name of a run has a placeholder that is no key of its matrix or zip",
                       .given = pattern,
                       .allowed = fmt::format("{}", fmt::join(keys, ", ")),
                       .remedy = {}});
@@ -70,6 +113,7 @@ ExpandedRun make_run(const Campaign& campaign, const RunEntry& entry, const Sett
   run.case_file = campaign.file.parent_path() / entry.case_file;
   run.solvers = entry.solvers;
   run.time_limit = entry.time_limit;
+  run.memory_limit = entry.memory_limit;
   for (const auto& [key, value] : entry.set)
     run.overrides.push_back(key + "=" + value);
   for (const auto& [key, value] : settings)
@@ -100,11 +144,12 @@ void require_unique(const std::vector<ExpandedRun>& runs, const std::string& fil
   for (const ExpandedRun& run : runs) {
     const auto [other, is_new] = known.try_emplace(folder_name(run.name), run.name);
     if (is_new) continue;
-    throw InputError({.where = file,
-                      .what = "two runs would have one name and one folder",
-                      .given = fmt::format("{} and {}", other->second, run.name),
-                      .allowed = "names that are unique after the matrix is expanded",
-                      .remedy = "put every key of the matrix into the name, such as \"column {construction.layers}\""});
+    throw InputError(
+        {.where = file,
+         .what = "two runs would have one name and one folder",
+         .given = fmt::format("{} and {}", other->second, run.name),
+         .allowed = "names that are unique after the matrix is expanded",
+         .remedy = "put every key of matrix and zip into the name, such as \"column {construction.layers}\""});
   }
 }
 
@@ -167,7 +212,8 @@ std::string folder_name(const std::string& run) {
 std::vector<ExpandedRun> expand(const Campaign& campaign) {
   std::vector<ExpandedRun> runs;
   for (const RunEntry& entry : campaign.runs) {
-    for (const Settings& settings : combinations(entry.matrix)) {
+    require_varied_once(entry, campaign.file.string());
+    for (const Settings& settings : variations(entry, campaign.file.string())) {
       const ExpandedRun run = make_run(campaign, entry, settings);
       const std::vector<ExpandedRun> expanded = entry.converge ? levels_of(run) : std::vector{run};
       runs.insert(runs.end(), expanded.begin(), expanded.end());

@@ -24,8 +24,25 @@ std::string_view name_of(SolverStatus status) {
     return "unreadable result";
   case SolverStatus::not_found:
     return "not found";
+  case SolverStatus::out_of_memory:
+    return "out of memory";
+  case SolverStatus::wrong_version:
+    return "result of another version";
+  case SolverStatus::disk_full:
+    return "disk full";
+  case SolverStatus::no_folder:
+    return "folder cannot be written";
   }
   return "unknown";
+}
+
+std::optional<SolverStatus> status_named(std::string_view name) {
+  constexpr auto last = static_cast<int>(SolverStatus::no_folder);
+  for (int number = 0; number <= last; ++number) {
+    const auto status = static_cast<SolverStatus>(number);
+    if (name_of(status) == name) return status;
+  }
+  return {};
 }
 
 const exchange::Result* RunOutcome::result_of(const std::string& solver) const {

@@ -20,14 +20,11 @@ namespace {
 constexpr int outcome_version = 2;
 
 json to_json(const SolverRun& solver) {
-  return {{"solver", solver.solver},
-          {"status", static_cast<int>(solver.status)},
-          {"status_name", name_of(solver.status)},
-          {"command", solver.command},
-          {"exit_code", solver.exit_code},
-          {"message", solver.message},
-          {"tail", solver.tail},
-          {"wall_time", solver.wall_time}};
+  return {{"solver", solver.solver},          {"status_name", name_of(solver.status)},
+          {"command", solver.command},        {"exit_code", solver.exit_code},
+          {"message", solver.message},        {"tail", solver.tail},
+          {"wall_time", solver.wall_time},    {"cpu_time", solver.cpu_time},
+          {"peak_memory", solver.peak_memory}};
 }
 
 json to_json(const RunOutcome& run) {
@@ -41,15 +38,11 @@ json to_json(const RunOutcome& run) {
           {"solvers", solvers}};
 }
 
-SolverStatus status_from(int number) {
-  const bool known = 0 <= number && number <= static_cast<int>(SolverStatus::not_found);
-  return known ? static_cast<SolverStatus>(number) : SolverStatus::no_result;
-}
-
 /// What the solver left behind: its result where it finished, its failure as it was noted otherwise.
 SolverRun solver_from(const json& stored, const fs::path& folder) {
   const std::string solver = stored.at("solver");
-  const SolverStatus noted = status_from(stored.at("status"));
+  const std::string name = stored.at("status_name");
+  const SolverStatus noted = status_named(name).value_or(SolverStatus::no_result);
   SolverRun run{.solver = solver};
   if (noted == SolverStatus::finished) {
     run = stored_result(solver, result_in(folder, solver));
@@ -62,6 +55,8 @@ SolverRun solver_from(const json& stored, const fs::path& folder) {
   run.command = stored.at("command");
   run.exit_code = stored.at("exit_code");
   run.wall_time = stored.at("wall_time");
+  run.cpu_time = stored.value("cpu_time", 0.0);
+  run.peak_memory = stored.value("peak_memory", 0.0);
   return run;
 }
 

@@ -4,66 +4,31 @@
 #include <chrono>
 #include <cstdlib>
 #include <fstream>
-#include <thread>
 
-#include <sys/wait.h>
 #include <unistd.h>
 
-#include <boost/process/args.hpp>
-#include <boost/process/child.hpp>
-#include <boost/process/group.hpp>
-#include <boost/process/io.hpp>
 #include <boost/process/search_path.hpp>
 
+#include "child_process.hpp"
+#include "settle/compare/process_memory.hpp"
 #include "settle/exchange/errors.hpp"
 
 namespace settle::compare {
 namespace {
 
-namespace bp = boost::process;
 using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-void fill_from_status(int status, ProcessOutcome& outcome) {
-  if (WIFSIGNALED(status)) {
-    outcome.end = ProcessEnd::signalled;
-    outcome.code = WTERMSIG(status);
-  } else {
-    outcome.end = ProcessEnd::exited;
-    outcome.code = WEXITSTATUS(status);
-  }
-}
-
-void kill_group(bp::child& child, bp::group& group) {
-  std::error_code gone; // it may have ended in the meantime
-  group.terminate(gone);
-  child.wait(gone);
-}
-
-/// Waits by asking: waiting with a time limit by signals does not work with several threads that all have children.
-void wait(const ProcessRequest& request, const std::atomic<bool>& stop, Clock::time_point start, bp::child& child,
-          bp::group& group, ProcessOutcome& outcome) {
-  auto pause = std::chrono::milliseconds(1);
-  constexpr auto longest_pause = std::chrono::milliseconds(20);
-  std::error_code failure;
-  while (child.running(failure)) {
-    const bool late = seconds_since(start) > request.time_limit;
-    if (stop || late) {
-      kill_group(child, group);
-      outcome.end = stop ? ProcessEnd::stopped : ProcessEnd::timed_out;
-      return;
-    }
-    std::this_thread::sleep_for(pause);
-    pause = std::min(2 * pause, longest_pause);
-  }
-  if (failure) {
-    outcome.problem = failure.message();
-    return;
-  }
-  fill_from_status(child.native_exit_code(), outcome);
+/// Why a child that runs has to be killed; `exited` where it may go on.
+ProcessEnd reason_to_kill(const ProcessRequest& request, const std::atomic<bool>& stop, Clock::time_point start,
+                          const Child& child) {
+  if (stop) return ProcessEnd::stopped;
+  if (seconds_since(start) > request.time_limit) return ProcessEnd::timed_out;
+  if (memory_of(child.id()) > request.memory_limit) return ProcessEnd::out_of_memory;
+  return ProcessEnd::exited;
 }
 
 /// A file with a name of its own that is gone afterwards.
@@ -97,19 +62,18 @@ private:
 ProcessOutcome run_process(const ProcessRequest& request, const std::atomic<bool>& stop) {
   ProcessOutcome outcome;
   const auto start = Clock::now();
-  std::error_code failure;
-  bp::group group;
-  try {
-    bp::child child(request.program.string(), bp::args(request.arguments),
-                    bp::std_in<bp::null, (bp::std_out & bp::std_err)> request.log.string(), group, failure);
-    if (failure) {
-      outcome.problem = failure.message();
-    } else {
-      wait(request, stop, start, child, group, outcome);
-    }
-  } catch (const std::exception& error) { // a log that cannot be opened
-    outcome.problem = error.what();
+  constexpr auto between_looks = std::chrono::milliseconds(20);
+  Child child(request);
+  if (!child.problem().empty()) {
+    outcome.problem = child.problem();
+    return outcome;
   }
+  ProcessEnd killed_for = ProcessEnd::exited;
+  while (killed_for == ProcessEnd::exited && !child.wait(between_looks))
+    killed_for = reason_to_kill(request, stop, start, child);
+  if (killed_for != ProcessEnd::exited) child.kill_group();
+  child.reap(outcome);
+  if (killed_for != ProcessEnd::exited) outcome.end = killed_for;
   outcome.wall_time = seconds_since(start);
   return outcome;
 }

@@ -6,6 +6,7 @@
 
 #include "settle/compare/process.hpp"
 #include "settle/compare/result_cache.hpp"
+#include "settle/compare/run_folder.hpp"
 #include "settle/compare/solver_programs.hpp"
 #include "settle/exchange/errors.hpp"
 #include "settle/exchange/result_io.hpp"
@@ -43,7 +44,7 @@ SolverStatus status_of_exit(int code) {
   }
 }
 
-void fill_end(const ProcessOutcome& outcome, double time_limit, SolverRun& run) {
+void fill_end(const ProcessOutcome& outcome, const SolverJob& job, SolverRun& run) {
   switch (outcome.end) {
   case ProcessEnd::exited:
     run.status = status_of_exit(outcome.code);
@@ -57,7 +58,11 @@ void fill_end(const ProcessOutcome& outcome, double time_limit, SolverRun& run) 
     return;
   case ProcessEnd::timed_out:
     run.status = SolverStatus::timed_out;
-    run.message = fmt::format("stopped after its time limit of {} s", time_limit);
+    run.message = fmt::format("stopped after its time limit of {} s", job.time_limit);
+    return;
+  case ProcessEnd::out_of_memory:
+    run.status = SolverStatus::out_of_memory;
+    run.message = fmt::format("stopped when it took more than its memory limit of {:.3g} GB", job.memory_limit / 1e9);
     return;
   case ProcessEnd::stopped:
     run.status = SolverStatus::timed_out;
@@ -82,6 +87,9 @@ void read_into(SolverRun& run) {
     run.result = exchange::read_result(run.result_file);
     run.status = SolverStatus::finished;
     run.message.clear();
+  } catch (const exchange::VersionError& error) {
+    run.status = SolverStatus::wrong_version;
+    run.message = error.what();
   } catch (const exchange::Error& error) {
     run.status = SolverStatus::bad_result;
     run.message = error.what();
@@ -95,16 +103,34 @@ SolverRun not_found(SolverRun run) {
   return run;
 }
 
+/// Could a full disk be why the solver failed? Then it is said to be.
+void blame_full_disk(const SolverJob& job, SolverRun& run) {
+  const bool may_be = run.status == SolverStatus::file_failed || run.status == SolverStatus::crashed ||
+                      run.status == SolverStatus::no_result || run.status == SolverStatus::bad_result;
+  if (!may_be || !is_full(job.result_file.parent_path())) return;
+  run.status = SolverStatus::disk_full;
+  discard_result(job.result_file); // the other runs need the space
+  run.message += fmt::format("; there is no space left in {}", job.result_file.parent_path().string());
+}
+
 void run_process_of(const SolverJob& job, const fs::path& program, const std::atomic<bool>& stop, SolverRun& run) {
   std::vector<std::string> arguments = case_arguments(job);
   arguments.insert(arguments.end(), {"--out", job.result_file.string(), "--quiet"});
   const fs::path log = log_of(job.result_file);
-  const ProcessOutcome outcome =
-      run_process({.program = program, .arguments = arguments, .log = log, .time_limit = job.time_limit}, stop);
+  const ProcessOutcome outcome = run_process({.program = program,
+                                              .arguments = arguments,
+                                              .log = log,
+                                              .time_limit = job.time_limit,
+                                              .memory_limit = job.memory_limit},
+                                             stop);
   run.wall_time = outcome.wall_time;
-  fill_end(outcome, job.time_limit, run);
+  run.cpu_time = outcome.cpu_time;
+  run.peak_memory = outcome.peak_memory;
+  fill_end(outcome, job, run);
   if (run.status == SolverStatus::finished) read_into(run);
-  if (run.status != SolverStatus::finished) run.tail = tail_of(log, tail_lines);
+  if (run.status == SolverStatus::finished) return;
+  run.tail = tail_of(log, tail_lines);
+  blame_full_disk(job, run);
 }
 
 } // namespace
@@ -135,25 +161,9 @@ std::string command_of(const SolverJob& job) {
 SolverRun run_solver(const SolverJob& job, const std::atomic<bool>& stop) {
   SolverRun run{.solver = job.solver, .command = command_of(job), .result_file = job.result_file};
   const fs::path program = find_solver(job.solver);
-  if (program.empty()) {
-    discard_result(job.result_file);
-    return not_found(std::move(run));
-  }
-  try {
-    const std::string key = result_key(job.case_text, program);
-    if (!job.fresh && is_up_to_date(job.result_file, key)) {
-      read_into(run);
-      run.reused = run.status == SolverStatus::finished;
-      if (run.reused) run.wall_time = run.result->provenance.wall_time;
-      if (run.reused) return run;
-    }
-    discard_result(job.result_file);
-    run_process_of(job, program, stop, run);
-    if (run.status == SolverStatus::finished) note_key(job.result_file, key);
-  } catch (const exchange::FileError& error) { // program or key
-    run.status = SolverStatus::file_failed;
-    run.message = error.what();
-  }
+  if (program.empty()) return not_found(std::move(run));
+  discard_result(job.result_file);
+  run_process_of(job, program, stop, run);
   return run;
 }
 

@@ -19,8 +19,9 @@ struct Mismatch {
   std::string what, given, allowed, remedy;
 };
 
+template <class ErrorType = FileError>
 [[noreturn]] void refuse(const hdf5::Group& group, const Mismatch& mismatch) {
-  throw FileError({.where = group.file(),
+  throw ErrorType({.where = group.file(),
                    .what = mismatch.what,
                    .given = mismatch.given,
                    .allowed = mismatch.allowed,
@@ -35,9 +36,10 @@ void check_head(const hdf5::Group& root) {
            {"this HDF5 file is not a result", format, fmt::format("format = {}", layout::format), "check the path"});
   const std::int64_t version = root.integer_attribute("version");
   if (version != result_version)
-    refuse(root, {"the result has a version that this program does not read", fmt::format("version {}", version),
-                  fmt::format("version {}", result_version),
-                  version > result_version ? "use a newer build of this program" : "run the solver again"});
+    refuse<VersionError>(root,
+                         {"the result has a version that this program does not read",
+                          fmt::format("version {}", version), fmt::format("version {}", result_version),
+                          version > result_version ? "use a newer build of this program" : "run the solver again"});
   const std::string status = root.has_attribute("status") ? root.text_attribute("status") : "no attribute `status`";
   if (status != layout::complete)
     refuse(root, {"the result is not complete", status, fmt::format("status = {}", layout::complete),

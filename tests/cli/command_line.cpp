@@ -39,8 +39,7 @@ exchange::Check check_of(exchange::Quantity quantity, const std::string& solver,
 
 } // namespace
 
-Answer run_program(const fs::path& program, const std::vector<std::string>& arguments) {
-  constexpr double time_limit = 60.0;
+Answer run_program(const fs::path& program, const std::vector<std::string>& arguments, double time_limit) {
   const CapturedOutput output = run_captured(program, arguments, time_limit, go_on);
   EXPECT_EQ(output.outcome.end, ProcessEnd::exited) << output.text;
   return {.code = output.outcome.code, .text = output.text};

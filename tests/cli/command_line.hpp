@@ -19,7 +19,9 @@ struct Answer {
   std::string text; ///< standard output and standard error
 };
 
-Answer run_program(const std::filesystem::path& program, const std::vector<std::string>& arguments);
+/// `time_limit`: wall time, which it is a failure to reach [s].
+Answer run_program(const std::filesystem::path& program, const std::vector<std::string>& arguments,
+                   double time_limit = 60.0);
 
 /// A folder, a case in it, and solvers that hand over a perfect result unless a test says otherwise.
 class CommandLine : public testing::Test {

@@ -20,6 +20,8 @@ name = "refill {construction.layers}"
 case = "column.toml"
 solvers = ["mpm"]
 time_limit = 5.5
+memory_limit = 2e9
+zip = { "gravity" = [9.81, 10.0], "title" = ["earth", "model"] }
 note = "a note"
 set = { "mpm.scheme" = "explicit", "mpm.explicit.hold" = 0 }
 matrix = { "construction.layers" = [5, 10], "material.fill.law" = ["rate", "hencky"] }
@@ -61,6 +63,8 @@ TEST(CampaignFile, EveryKeyIsRead) {
   EXPECT_EQ(run.case_file, "column.toml");
   EXPECT_EQ(run.solvers, (std::vector<std::string>{"mpm"}));
   EXPECT_DOUBLE_EQ(run.time_limit, 5.5);
+  EXPECT_EQ(run.memory_limit, 2e9);
+  EXPECT_EQ(run.zip.at("title"), (std::vector<std::string>{"\"earth\"", "\"model\""}));
   EXPECT_EQ(run.set.at("mpm.scheme"), "\"explicit\"");
   EXPECT_EQ(run.set.at("mpm.explicit.hold"), "0");
   EXPECT_EQ(run.matrix.at("construction.layers"), (std::vector<std::string>{"5", "10"}));

@@ -25,6 +25,8 @@ protected:
          .case_file = "column.toml",
          .set = {{"construction.convention", "\"drop\""}},
          .matrix = {{"construction.layers", {"5", "10"}}, {"material.fill.law", {"\"rate\"", "\"hencky\""}}},
+         .zip = {},
+         .memory_limit = {},
          .note = {}});
   }
   std::string error_of() const {
@@ -51,6 +53,28 @@ TEST_F(Expansion, EveryCombinationOfTheMatrixIsARun) {
   EXPECT_EQ(runs[3].study.fill().law, exchange::Law::hencky);
   EXPECT_EQ(runs[3].study.construction.convention, exchange::Convention::drop);
   EXPECT_THAT(runs[3].overrides, testing::Contains("construction.layers=10"));
+}
+
+TEST_F(Expansion, AZipRunsInStepBesideTheMatrix) {
+  campaign_.runs[0].name += " {mpm.element_size} {gravity}";
+  campaign_.runs[0].zip = {{"mpm.element_size", {"0.125", "0.0625"}}, {"gravity", {"9", "10"}}};
+  const std::vector<ExpandedRun> runs = expand(campaign_);
+  ASSERT_EQ(runs.size(), 8U);
+  EXPECT_EQ(runs[0].name, "run 5 rate 0.125 9");
+  EXPECT_EQ(runs[1].name, "run 5 hencky 0.125 9");
+  EXPECT_EQ(runs[7].name, "run 10 hencky 0.0625 10");
+  EXPECT_EQ(runs[7].study.gravity, 10.0);
+  EXPECT_EQ(runs[7].study.mpm.element_size, 0.0625);
+}
+
+TEST_F(Expansion, AZipOfListsThatAreNotOfOneLengthIsRefused) {
+  campaign_.runs[0].zip = {{"mpm.element_size", {"0.125", "0.0625"}}, {"gravity", {"9"}}};
+  EXPECT_THAT(error_of(), testing::AllOf(HasSubstr("not of one length"), HasSubstr("1 and 2 values")));
+}
+
+TEST_F(Expansion, AKeyInMatrixAndZipIsRefused) {
+  campaign_.runs[0].zip = {{"construction.layers", {"5", "10"}}};
+  EXPECT_THAT(error_of(), testing::AllOf(HasSubstr("varies a key twice"), HasSubstr("construction.layers")));
 }
 
 TEST_F(Expansion, RunsOfOneNameAreRefused) {

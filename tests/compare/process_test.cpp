@@ -47,6 +47,48 @@ TEST(Process, IsKilledAtItsTimeLimitTogetherWithItsChildren) {
   EXPECT_FALSE(std::filesystem::exists(witness));
 }
 
+TEST(Process, IsKilledWhenItTakesMoreMemoryThanItMay) {
+  const ScratchFolder folder;
+  constexpr double limit = 50e6; // [B]; a shell has some
+  const ProcessOutcome outcome = run_process({.program = folder.script("program", "x=x; while :; do x=$x$x; done"),
+                                              .arguments = {},
+                                              .log = folder.path() / "log",
+                                              .time_limit = 60,
+                                              .memory_limit = limit},
+                                             go_on);
+  EXPECT_EQ(outcome.end, ProcessEnd::out_of_memory);
+  EXPECT_GT(outcome.peak_memory, limit);
+}
+
+TEST(Process, TheMemoryOfItsChildrenCounts) {
+  const ScratchFolder folder;
+  const auto greedy = folder.script("greedy", "x=x; while :; do x=$x$x; done");
+  const ProcessOutcome outcome = run_process({.program = folder.script("program", greedy.string() + "; true"),
+                                              .arguments = {},
+                                              .log = folder.path() / "log",
+                                              .time_limit = 60,
+                                              .memory_limit = 50e6},
+                                             go_on);
+  EXPECT_EQ(outcome.end, ProcessEnd::out_of_memory);
+}
+
+TEST(Process, TellsTheTimeOfTheProcessor) {
+  const ScratchFolder folder;
+  const ProcessOutcome working = run("i=0; while [ $i -lt 200000 ]; do i=$((i+1)); done", folder);
+  EXPECT_GT(working.cpu_time, 0.01);
+  const ProcessOutcome idle = run("sleep 0.3", folder);
+  EXPECT_GE(idle.wall_time, 0.3);
+  EXPECT_LT(idle.cpu_time, 0.25);
+}
+
+TEST(Process, WhatItLeavesRunningIsEnded) {
+  const ScratchFolder folder;
+  const auto witness = folder.path() / "survived";
+  EXPECT_EQ(run("(sleep 1; touch " + witness.string() + ") & exit 0", folder).end, ProcessEnd::exited);
+  std::this_thread::sleep_for(std::chrono::milliseconds(1500));
+  EXPECT_FALSE(std::filesystem::exists(witness));
+}
+
 TEST(Process, IsKilledWhenItIsToStop) {
   const ScratchFolder folder;
   std::atomic<bool> stop{false};

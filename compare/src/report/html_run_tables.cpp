@@ -82,13 +82,12 @@ Table solver_table(const RunOutcome& run) {
       for (const Stage& stage : solver.result->stages)
         steps += stage.steps;
     }
-    table.rows.push_back(
-        {{.text = solver.solver},
-         {.text = fmt::format("{} {}", finished ? "✓" : "!", name_of(solver.status)),
-          .badge = finished ? "passed" : "error"},
-         {.text = solver.result ? std::to_string(steps) : std::string(no_value)},
-         {.text = duration(solver.wall_time)},
-         {.text = solver.message, .small_print = solver.reused ? "an earlier result was up to date" : ""}});
+    table.rows.push_back({{.text = solver.solver},
+                          {.text = fmt::format("{} {}", finished ? "✓" : "!", name_of(solver.status)),
+                           .badge = finished ? "passed" : "error"},
+                          {.text = solver.result ? std::to_string(steps) : std::string(no_value)},
+                          {.text = duration(solver.wall_time)},
+                          {.text = solver.message}});
   }
   return table;
 }

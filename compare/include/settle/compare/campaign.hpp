@@ -14,14 +14,16 @@ namespace settle::compare {
 
 /// One entry `[[run]]`: a case, what is set for all of it, and what is varied.
 struct RunEntry {
-  std::string name;      ///< unique after expansion; `{construction.layers}` stands for the value of a matrix key
+  std::string name; ///< unique after expansion; `{construction.layers}` stands for the value of a key of matrix or zip
   std::string case_file; ///< relative to the campaign file
   std::vector<std::string> solvers{"mpm", "fem"};
   std::map<std::string, std::string> set;                 ///< dotted key -> TOML value
   std::map<std::string, std::vector<std::string>> matrix; ///< dotted key -> TOML values; the product of all keys is run
-  bool converge = false;     ///< run the levels of the case's `[converge]`, as one refinement family
-  double time_limit = 600.0; ///< wall time of one solver [s]
-  std::string note;          ///< shown in the report: what this run is for, what is known to differ
+  std::map<std::string, std::vector<std::string>> zip;    ///< the same, but run in step: all lists are of one length
+  bool converge = false;              ///< run the levels of the case's `[converge]`, as one refinement family
+  double time_limit = 600.0;          ///< wall time of one solver [s]
+  std::optional<double> memory_limit; ///< of one solver [B]; nothing: nine tenths of the machine's
+  std::string note;                   ///< shown in the report: what this run is for, what is known to differ
 };
 
 /// A curve of a figure.

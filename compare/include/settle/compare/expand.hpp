@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,14 +20,15 @@ struct ExpandedRun {
   std::filesystem::path case_file;
   std::vector<std::string> overrides; ///< `key=value`
   std::vector<std::string> solvers;
-  double time_limit = 600.0; ///< [s]
-  exchange::Case study;      ///< read with the overrides
+  double time_limit = 600.0;          ///< [s]
+  std::optional<double> memory_limit; ///< [B]; nothing: nine tenths of the machine's
+  exchange::Case study;               ///< read with the overrides
 };
 
-/// Every run of a campaign, in the file's order, the last key of a matrix varying fastest. Throws InputError for a case
-/// that cannot be read, for levels that do not become finer, for runs that would have one name or folder, for a
-/// placeholder that is no key of the matrix, and for figures or published numbers that name a run or a source there is
-/// not.
+/// Every run of a campaign, in the file's order, the last key of a matrix varying fastest, the lists of a zip, which
+/// run in step, before them. Throws InputError for a case that cannot be read, for levels that do not become finer, for
+/// runs that would have one name or folder, for a placeholder that is no key of the matrix, and for figures or
+/// published numbers that name a run or a source there is not.
 std::vector<ExpandedRun> expand(const Campaign& campaign);
 
 /// A run's name as a file name: everything but letters, digits, ".", "_", "-" becomes "_".

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "settle/compare/campaign.hpp"
@@ -24,11 +25,17 @@ enum class SolverStatus {
   timed_out,
   no_result,
   bad_result,
-  not_found
+  not_found,
+  out_of_memory, ///< it took more memory than its run may
+  wrong_version, ///< its result has a version this build does not read
+  disk_full,
+  no_folder ///< the folder of its run cannot be written
 };
 
 /// "finished", "bad input", ...
 std::string_view name_of(SolverStatus status);
+/// The status of a name; nothing for a name that none has.
+std::optional<SolverStatus> status_named(std::string_view name);
 
 /// One solver's part of a run.
 struct SolverRun {
@@ -36,10 +43,12 @@ struct SolverRun {
   SolverStatus status = SolverStatus::no_result;
   std::string command{}; ///< as one can type it
   int exit_code = 0;
-  std::string message{}; ///< one sentence where the status is not "finished"
-  std::string tail{};    ///< the last lines of the solver's output
-  double wall_time = 0;  ///< of the process [s]
-  bool reused = false;   ///< an up-to-date result was already there
+  std::string message{};  ///< one sentence where the status is not "finished"
+  std::string tail{};     ///< the last lines of the solver's output
+  double wall_time = 0;   ///< of the process [s]
+  double cpu_time = 0;    ///< of the process and its children [s]
+  double peak_memory = 0; ///< largest resident set [B]
+  bool reused = false;    ///< an up-to-date result was already there
   std::filesystem::path result_file{};
   std::optional<exchange::Result> result{};
 };

@@ -1,10 +1,12 @@
 /// \file
-/// Running another program: its output to a file, a limit on its time, and an end that is always accounted for.
+/// Running another program: its output to a file, limits on its time and memory, and an end that is always accounted
+/// for.
 #pragma once
 
 #include <atomic>
 #include <cstddef>
 #include <filesystem>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -14,21 +16,26 @@ namespace settle::compare {
 struct ProcessRequest {
   std::filesystem::path program{};
   std::vector<std::string> arguments{};
-  std::filesystem::path log{}; ///< standard output and standard error, together
-  double time_limit = 0;       ///< wall time [s]
+  std::filesystem::path log{};                                   ///< standard output and standard error, together
+  double time_limit = 0;                                         ///< wall time [s]
+  double memory_limit = std::numeric_limits<double>::infinity(); ///< of it and its children, see process_memory.hpp [B]
 };
 
-enum class ProcessEnd { exited, signalled, timed_out, stopped, not_started };
+enum class ProcessEnd { exited, signalled, timed_out, out_of_memory, stopped, not_started };
 
 struct ProcessOutcome {
   ProcessEnd end = ProcessEnd::not_started;
-  int code = 0;          ///< exit code, or the number of the signal
-  double wall_time = 0;  ///< [s]
-  std::string problem{}; ///< why it could not be started
+  int code = 0;           ///< exit code, or the number of the signal
+  double wall_time = 0;   ///< [s]
+  double cpu_time = 0;    ///< user and system, with its children [s]
+  double peak_memory = 0; ///< largest resident set of it or one of its children [B]
+  std::string problem{};  ///< why it could not be started
 };
 
-/// Runs a program in a process group of its own and waits for its end. At the time limit, or when `stop` becomes true,
-/// the whole group is killed. Never throws for what the program does, or for a program that cannot be started.
+/// Runs a program in a process group of its own and waits for its end. At a limit, or when `stop` becomes true, the
+/// whole group is killed; when the program ends, what it has left running in its group is killed too. The program is
+/// killed when this one dies, whatever from. Never throws for what the program does, or for a program that cannot be
+/// started.
 ProcessOutcome run_process(const ProcessRequest& request, const std::atomic<bool>& stop);
 
 /// How a program ended and the end of what it printed.

@@ -1,23 +1,74 @@
 /// \file
-/// Results that need not be computed again: a key beside each result says what it was made from.
+/// Results that need not be computed again: a record beside each result says what it was made from, what it holds, and
+/// what it has cost. A result counts as whole only with a record that fits its content, so nothing that a kill, a full
+/// disk or a power cut leaves behind is taken for one.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
+#include <string_view>
 
 namespace settle::compare {
 
-/// SHA-256 of the case with its defaults, the solver's program and the version of the result format.
-/// Throws FileError where the program cannot be read.
-std::string result_key(const std::string& case_text, const std::filesystem::path& program);
+/// What a result is made from.
+struct MadeFrom {
+  std::string case_hash;   ///< SHA-256 of the case with its defaults
+  std::string solver_hash; ///< of the program; empty where it is not installed
+  int format = 0;          ///< version of the result format
 
-/// Was the result made from the same case by the same program?
-bool is_up_to_date(const std::filesystem::path& result_file, const std::string& key);
+  bool operator==(const MadeFrom&) const = default;
+};
 
-/// Removes a result and its key, so that nothing old can be taken for the outcome of the next run.
+/// For this build's result format.
+MadeFrom made_from(const std::string& case_text, const std::string& solver_hash);
+
+/// A file's content, and what tells in a moment that nobody has touched it since.
+struct FileStamp {
+  std::uintmax_t size = 0;  ///< [B]
+  std::int64_t changed = 0; ///< modification time [ns]
+  std::string hash;         ///< SHA-256
+};
+
+/// The last attempt of a solver at a run.
+struct RunRecord {
+  MadeFrom made_from{};
+  double wall_time = 0;              ///< of the process [s]
+  double cpu_time = 0;               ///< of it and its children [s]
+  double peak_memory = 0;            ///< largest resident set [B]
+  std::optional<FileStamp> result{}; ///< nothing where the attempt failed
+};
+
+/// Why a solver is run, or not.
+enum class Reason {
+  up_to_date,
+  never_run,
+  failed_before,
+  case_changed,
+  solver_changed,
+  format_changed,
+  damaged,
+  forced
+};
+
+/// "up to date", "new", "failed before", "case changed", ...
+std::string_view name_of(Reason reason);
+
+/// The record of a result; nothing where there is none that can be read.
+std::optional<RunRecord> read_record(const std::filesystem::path& result_file);
+
+/// Is the result there, whole, and made from this? Reads its content only where size or time have changed.
+Reason reason_to_run(const std::filesystem::path& result_file, const std::optional<RunRecord>& record,
+                     const MadeFrom& made_from);
+
+/// Removes a result and what is unfinished of it; its record stays, without which its cost would be forgotten.
 void discard_result(const std::filesystem::path& result_file);
 
-/// Notes what the result was made from. Throws FileError.
-void note_key(const std::filesystem::path& result_file, const std::string& key);
+/// Makes sure that the result is on the disk, stamps it, and then notes the record beside it. Throws FileError.
+void note_success(const std::filesystem::path& result_file, RunRecord record);
+
+/// Writes the record as it is: without a stamp, of an attempt that failed. Throws FileError.
+void note_record(const std::filesystem::path& result_file, const RunRecord& record);
 
 } // namespace settle::compare

@@ -1,5 +1,6 @@
 /// \file
-/// Where the files of a campaign lie: DIR/runs/RUN/{case.toml, SOLVER.h5, SOLVER.log, SOLVER.key, REFERENCE.csv}.
+/// Where the files of a campaign lie: DIR/runs/RUN/{case.toml, SOLVER.h5, SOLVER.log, SOLVER.key (its record),
+/// REFERENCE.csv}.
 #pragma once
 
 #include <filesystem>
@@ -16,8 +17,12 @@ std::filesystem::path run_folder(const std::filesystem::path& campaign_folder, c
 std::filesystem::path result_in(const std::filesystem::path& run_folder, const std::string& solver);
 
 /// Creates the folder of a run with its case, defaults filled in, and copies of the reference tables, so that it can be
-/// judged again wherever it is. Throws FileError where it cannot be written.
+/// judged again wherever it is. What is there already is not written again; unfinished files are removed. Throws
+/// FileError where it cannot be written.
 void prepare_run_folder(const std::filesystem::path& folder, const ExpandedRun& run);
+
+/// Is there next to no space (1 MiB) left on the disk of a folder, or where it would be?
+bool is_full(const std::filesystem::path& folder);
 
 /// The case of a run's folder. Throws FileError where it is missing.
 exchange::Case stored_case(const std::filesystem::path& folder);

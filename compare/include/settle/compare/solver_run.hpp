@@ -18,9 +18,8 @@ struct SolverJob {
   std::filesystem::path case_file{};
   std::vector<std::string> overrides{}; ///< `key=value`
   std::filesystem::path result_file{};
-  std::string case_text{};   ///< the case with defaults filled in: what an up-to-date result must have been made from
   double time_limit = 600.0; ///< wall time [s]
-  bool fresh = false;        ///< run even where an up-to-date result is there
+  double memory_limit = 0;   ///< of it and its children, together [B]
 };
 
 /// Where the output of a job's solver is kept.
@@ -32,8 +31,8 @@ std::string command_of(const SolverJob& job);
 /// A word quoted for a POSIX shell where it is not made of harmless characters.
 std::string quoted(const std::string& word);
 
-/// Runs the solver, or takes the up-to-date result that is already there. Never throws for what a solver does: a crash,
-/// a time limit, a missing or unreadable result are statuses.
+/// Runs the solver, after an earlier result was removed; where the solver is not installed that stays. Never throws for
+/// what a solver does: a crash, a limit, a full disk, a missing or unreadable result are statuses.
 SolverRun run_solver(const SolverJob& job, const std::atomic<bool>& stop);
 
 /// Asks the solver whether it could run the case (`--check`), without running it. The solver's complaint where it says

@@ -59,4 +59,10 @@ public:
   explicit FileError(const Complaint& complaint) : Error(ExitCode::file_failed, to_text(complaint)) {}
 };
 
+/// A file has a version of its format that this build does not read.
+class VersionError : public FileError {
+public:
+  using FileError::FileError;
+};
+
 } // namespace settle::exchange

@@ -33,8 +33,8 @@ private:
   std::unique_ptr<Impl> impl_;
 };
 
-/// Reads a whole result. Throws FileError for a missing, truncated, incomplete or foreign file, another version, or a
-/// dataset that is missing or has another shape than its fellows.
+/// Reads a whole result. Throws FileError for a missing, truncated, incomplete or foreign file, another version
+/// (VersionError), or a dataset that is missing or has another shape than its fellows.
 Result read_result(const std::filesystem::path& file);
 
 } // namespace settle::exchange

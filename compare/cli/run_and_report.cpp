@@ -1,0 +1,99 @@
+#include "run_and_report.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <thread>
+
+#include "progress.hpp"
+#include "settle/compare/campaign_run.hpp"
+#include "settle/compare/finished_campaign.hpp"
+#include "settle/compare/folder_lock.hpp"
+#include "settle/compare/interrupt.hpp"
+#include "settle/compare/outcome_io.hpp"
+#include "settle/compare/report.hpp"
+#include "settle/compare/shard.hpp"
+#include "settle/compare/text_file.hpp"
+#include "summary.hpp"
+
+namespace settle::compare::cli {
+
+using exchange::ExitCode;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// The runs of a campaign, or of a part of it, which the campaign then says it is.
+std::vector<ExpandedRun> expanded(Campaign& campaign, const std::string& shard_text) {
+  std::vector<ExpandedRun> runs = expand(campaign);
+  if (shard_text.empty()) return runs;
+  const Shard shard = parse_shard(shard_text);
+  std::vector<ExpandedRun> part = runs_of(shard, runs);
+  campaign = campaign_of(shard, std::move(campaign), part, runs.size());
+  return part;
+}
+
+/// Runs what is due, judges, writes everything.
+FinishedCampaign run_due(const Campaign& campaign, const Plan& plan, const RunOptions& options,
+                         const std::string& command_line, Display& display) {
+  discard_outcome(options.folder);
+  CampaignOutcome outcome = run_campaign(campaign, plan, options, interrupted());
+  outcome.command = command_line;
+  const FinishedCampaign end{.exit_code = exit_code_of(outcome.runs, outcome.families),
+                             .summary = summary_text(outcome)};
+  try {
+    write_outcome(outcome, options.folder);
+    write_report(outcome, options.folder);
+  } catch (const exchange::Error&) { // a full disk, for instance: the verdicts are known all the same
+    display.end(ExitCode::file_failed, end.summary, "");
+    throw;
+  }
+  return end;
+}
+
+} // namespace
+
+RunningOptions::RunningOptions() : jobs(std::max(1, static_cast<int>(std::thread::hardware_concurrency()))) {}
+
+void RunningOptions::declare(CLI::App& app, const std::string& default_out) {
+  app.add_option("--out", out, "folder that gets results and report; left out: " + default_out);
+  app.add_option("-j,--jobs", jobs, "solvers at a time; left out: the number of cores")->check(CLI::PositiveNumber);
+  app.add_flag("--fresh", fresh, "run again what is up to date");
+  app.add_flag("--dry-run", dry_run, "list what would be run, in which order, and why; run and write nothing");
+  app.add_option("--progress", progress,
+                 "line: one that is written over; lines: one for each solver run; json: one JSON object a line on "
+                 "standard output; auto: line on a terminal, lines otherwise")
+      ->check(CLI::IsMember(display_kinds()));
+}
+
+ExitCode run_and_report(Campaign campaign, const RunningOptions& options, const fs::path& folder,
+                        const std::string& command_line) {
+  const std::unique_ptr<Display> display = make_display(options.progress);
+  Plan plan = plan_campaign(expanded(campaign, options.shard), folder, options.fresh);
+  if (options.dry_run) {
+    display->plan(plan);
+    return ExitCode::success;
+  }
+  watch_interrupts();
+  require_solvers_agree(plan, options.jobs, interrupted());
+  make_folder(folder);
+  const FolderLock lock(folder);
+  look_again(plan, options.fresh);
+  const std::string report = (folder / "report.html").string();
+  auto fingerprint = fingerprint_of(campaign, plan);
+  auto end = fingerprint ? finished_before(folder, *fingerprint) : std::nullopt;
+  if (!end) {
+    const RunOptions run_options{.folder = folder, .jobs = options.jobs, .on_progress = [&](const Progress& progress) {
+                                   display->progress(progress);
+                                 }};
+    end = run_due(campaign, plan, run_options, command_line, *display);
+    look_again(plan, false);
+    fingerprint = fingerprint_of(campaign, plan);
+    if (fingerprint) note_finished(folder, *fingerprint, *end);
+  } else {
+    end->summary = "nothing to run: everything is up to date\n" + end->summary;
+  }
+  display->end(end->exit_code, end->summary, report);
+  return end->exit_code;
+}
+
+} // namespace settle::compare::cli

@@ -1,0 +1,32 @@
+/// \file
+/// What `run`, `converge` and `campaign` have in common.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "settle/compare/campaign.hpp"
+#include "settle/exchange/errors.hpp"
+
+namespace settle::compare::cli {
+
+/// Options of everything that runs solvers.
+struct RunningOptions {
+  std::string out{};
+  int jobs = 1;
+  bool fresh = false;
+  bool dry_run = false;
+  std::string progress = "auto";
+  std::string shard{}; ///< "i/n"; empty: everything
+
+  RunningOptions();
+  void declare(CLI::App& app, const std::string& default_out);
+};
+
+/// Plans the campaign, runs what is due in `folder`, judges, and writes the report; or only says what is due.
+exchange::ExitCode run_and_report(Campaign campaign, const RunningOptions& options, const std::filesystem::path& folder,
+                                  const std::string& command_line);
+
+} // namespace settle::compare::cli

@@ -1,0 +1,48 @@
+#include "settle/compare/process_memory.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+namespace settle::compare {
+namespace {
+
+namespace fs = std::filesystem;
+
+double own_memory(pid_t process) {
+  std::ifstream file(fmt::format("/proc/{}/statm", process));
+  double size = 0, resident = 0, shared = 0; // pages
+  if (!(file >> size >> resident >> shared)) return 0;
+  return (resident - shared) * static_cast<double>(sysconf(_SC_PAGESIZE));
+}
+
+/// What a control group allows [B]; infinite where it says "max" or there is no such file.
+double allowed_by(const fs::path& file) {
+  double bytes = 0;
+  return std::ifstream(file) >> bytes ? bytes : std::numeric_limits<double>::infinity();
+}
+
+} // namespace
+
+double memory_of(pid_t process) {
+  double memory = own_memory(process);
+  std::error_code gone; // a process may end at any moment
+  for (const fs::directory_entry& thread : fs::directory_iterator(fmt::format("/proc/{}/task", process), gone)) {
+    std::ifstream children(thread.path() / "children");
+    for (pid_t child = 0; children >> child;)
+      memory += memory_of(child);
+  }
+  return memory;
+}
+
+double machine_memory() {
+  const double physical = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+  return std::min(
+      {physical, allowed_by("/sys/fs/cgroup/memory.max"), allowed_by("/sys/fs/cgroup/memory/memory.limit_in_bytes")});
+}
+
+} // namespace settle::compare
