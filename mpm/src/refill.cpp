@@ -33,17 +33,28 @@ int refill_empty_cells(Body<Space>& body, const Refill& refill) {
   return sort_in(body, before);
 }
 
-/// Rows stacked downwards from the design level in one column of squares.
+/// How many rows a gap gets before the stage is over, `gap` in rows. None may stand above the design level where the
+/// next layer is placed on it: points that overlap share the load of their place.
+int rows_due(double gap, const Refill& refill) {
+  return static_cast<int>(std::max(0.0, refill.ends_closed ? std::floor(gap) : std::ceil(gap - 0.5)));
+}
+
+/// Where rows are stacked: on the surface of a column of squares, so that they touch the points below and overlap none.
+struct Stack {
+  int layer;
+  int column;
+  double surface; ///< [m]
+};
+
 template <class Space>
-void add_rows(Body<Space>& body, const Refill& refill, int column, int full_rows, double rest = 0.0) {
+void add_rows(Body<Space>& body, const Stack& stack, int full_rows, double rest = 0.0) {
   const double height = refill_row_height(body);
-  for (int k = 0; k < full_rows; ++k)
-    refill_row(body,
-               {.layer = refill.layer, .column = column, .top = refill.design_level - k * height, .height = height});
-  if (rest > negligible_gap * height)
-    refill_row(
-        body,
-        {.layer = refill.layer, .column = column, .top = refill.design_level - full_rows * height, .height = rest});
+  const auto add = [&](double top, double row) {
+    refill_row(body, {.layer = stack.layer, .column = stack.column, .top = top, .height = row});
+  };
+  for (int k = 1; k <= full_rows; ++k)
+    add(stack.surface + k * height, height);
+  if (rest > negligible_gap * height) add(stack.surface + full_rows * height + rest, rest);
 }
 
 } // namespace
@@ -55,8 +66,8 @@ int refill_where_due(Body<Space>& body, const Refill& refill) {
   const auto before = body.points.size();
   const auto heights = column_heights(body);
   for (int column = 0; column < body.space.columns(); ++column) {
-    const double gap = refill.design_level - heights[static_cast<std::size_t>(column)];
-    add_rows(body, refill, column, static_cast<int>(std::ceil(gap / refill_row_height(body) - 0.5)));
+    const double surface = heights[static_cast<std::size_t>(column)], gap = refill.design_level - surface;
+    add_rows(body, {refill.layer, column, surface}, rows_due(gap / refill_row_height(body), refill));
   }
   return sort_in(body, before);
 }
@@ -69,9 +80,10 @@ int close_gap(Body<Space>& body, const Refill& refill) {
   const double row = refill_row_height(body);
   const auto heights = column_heights(body);
   for (int column = 0; column < body.space.columns(); ++column) {
-    const double gap = std::max(0.0, refill.design_level - heights[static_cast<std::size_t>(column)]);
+    const double surface = heights[static_cast<std::size_t>(column)];
+    const double gap = std::max(0.0, refill.design_level - surface);
     const int full_rows = static_cast<int>(std::floor(gap / row));
-    add_rows(body, refill, column, full_rows, gap - full_rows * row);
+    add_rows(body, {refill.layer, column, surface}, full_rows, gap - full_rows * row);
   }
   return sort_in(body, before);
 }

@@ -1,5 +1,7 @@
 #include "settle/mpm/requirements.hpp"
 
+#include <cmath>
+
 #include <fmt/format.h>
 
 #include "settle/exchange/errors.hpp"
@@ -41,6 +43,18 @@ void require_known_element(const exchange::Case& study) {
                               .remedy = "set mpm.element to one of these"});
 }
 
+void require_basis_of_the_element(const exchange::Case& study) {
+  const auto linear = exchange::Basis::linear;
+  const auto triangle = exchange::MpmElement::triangle, quadrilateral = exchange::MpmElement::quadrilateral;
+  if (study.mpm.element != triangle || study.mpm.basis == linear) return;
+  throw exchange::InputError(
+      {.where = study.where("mpm.basis"),
+       .what = fmt::format("the basis {} is one of quadrilaterals", quoted(study.mpm.basis)),
+       .given = fmt::format("{} with mpm.element = {}", quoted(study.mpm.basis), quoted(triangle)),
+       .allowed = fmt::format("{} with this element", quoted(linear)),
+       .remedy = fmt::format("set mpm.element = {}, or mpm.basis = {}", quoted(quadrilateral), quoted(linear))});
+}
+
 /// Triangles take three points, quadrilaterals the square of 2, 3 or 4: a single one does not resist hourglassing.
 void require_points_that_fit(const exchange::Case& study) {
   const int count = study.mpm.points_per_element.value_or(0);
@@ -65,6 +79,23 @@ void require_law_that_fits(const exchange::Case& study) {
   };
   if (study.mpm.average_stress) refuse("mpm.average_stress");
   if (study.mpm.jaumann) refuse("mpm.jaumann");
+}
+
+/// Full cells distribute their force over all functions, points move only what they feel of it: where there are fewer
+/// points side by side than functions, an explicit stage does not come to rest.
+void require_points_that_feel_all_splines(const exchange::Case& study, int across) {
+  const auto& mpm = study.mpm;
+  if (mpm.basis != exchange::Basis::b_spline || mpm.integration != exchange::Integration::mixed ||
+      mpm.scheme != exchange::Scheme::explicit_dynamic)
+    return;
+  const int points = across * static_cast<int>(std::lround(std::sqrt(*mpm.points_per_element)));
+  if (points >= across + 2) return;
+  throw exchange::InputError(
+      {.where = study.where("mpm.integration"),
+       .what = "B-splines over full cells do not come to rest with fewer points across the width than functions",
+       .given = fmt::format("{} points, {} functions across {} element", points, across + 2, across),
+       .allowed = "as many points as functions, or another integration or scheme",
+       .remedy = "set mpm.integration = \"points\", mpm.points_per_element = 9, or take a wider column"});
 }
 
 /// What polygons and a motion ask for that is not there.
@@ -93,13 +124,11 @@ void require_solvable(const exchange::Case& study) {
   require(study, {"geometry.dimension", std::to_string(study.geometry.dimension), "2"});
   require_known_element(study);
   require_points_that_fit(study);
-  if (study.mpm.element == exchange::MpmElement::triangle)
-    require(study, {"mpm.basis", quoted(study.mpm.basis), quoted(exchange::Basis::linear)});
+  require_basis_of_the_element(study);
   require_law_that_fits(study);
-  if (study.geometry.shape == exchange::Shape::polygons)
-    require_polygons_that_fit(study);
-  else
-    exchange::count_elements(study, "mpm.element_size", study.mpm.element_size);
+  if (study.geometry.shape == exchange::Shape::polygons) return require_polygons_that_fit(study);
+  const auto counts = exchange::count_elements(study, "mpm.element_size", study.mpm.element_size);
+  require_points_that_feel_all_splines(study, counts.across);
 }
 
 } // namespace settle::mpm

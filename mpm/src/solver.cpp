@@ -34,6 +34,7 @@ Refill refill_of(const exchange::Case& study, int layer) {
   if (study.construction.convention == exchange::Convention::refill) refill.rule = study.mpm.refill;
   refill.lower_level = (layer - 1) * study.layer_thickness();
   refill.design_level = layer * study.layer_thickness();
+  refill.ends_closed = study.mpm.scheme == exchange::Scheme::quasi_static || !study.mpm.explicit_dynamic.hold;
   return refill;
 }
 

@@ -24,6 +24,7 @@ Body<Space> block(const Block& data) {
                    .fixed = oedometer_supports(space),
                    .lame = Lame::from(400e3, 0.25),
                    .density = block_density};
+  body.points.has_domains = Space::has_domains;
   if (!data.supported) std::fill(body.fixed.begin(), body.fixed.end(), std::array<bool, 2>{false, false});
   place_layer(body, {.layer = 1, .base = 0.0, .thickness = data.filled_rows * data.size});
   body.sort();

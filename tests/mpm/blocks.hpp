@@ -26,13 +26,15 @@ struct Block {
 inline constexpr double block_density = 1800.0; ///< [kg/m3]
 
 /// Every space, for typed tests.
-using EverySpace = testing::Types<TriangleSpace, QuadrilateralSpace>;
+using EverySpace = testing::Types<TriangleSpace, QuadrilateralSpace, GimpSpace, BSplineSpace>;
 
 /// The name of a space in the name of a typed test.
 struct SpaceName {
   template <class Space>
   static std::string GetName(int) {
-    return std::is_same_v<Space, TriangleSpace> ? "Triangle" : "Quadrilateral";
+    if (std::is_same_v<Space, TriangleSpace>) return "Triangle";
+    if (std::is_same_v<Space, QuadrilateralSpace>) return "Quadrilateral";
+    return std::is_same_v<Space, GimpSpace> ? "Gimp" : "BSpline";
   }
 };
 

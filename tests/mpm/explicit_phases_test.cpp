@@ -104,13 +104,13 @@ TYPED_TEST(ExplicitPhasesOf, AConstantStressIsInEquilibriumInsideABlockWithPoint
   int inner = 0;
   for (int n = 0; n < body.space.n_nodes(); ++n) {
     const int column = n % body.space.node_columns(), row = n / body.space.node_columns();
-    const bool inside = column > 0 && column < 3 && row > 0 && row < 3;
+    const bool inside = column > 0 && column < body.space.node_columns() - 1 && row > 0 && row < 3;
     const double force = nodes[static_cast<std::size_t>(n)].internal.norm();
     if (!inside) continue;
     EXPECT_LT(force, 1e-12 * 5e3 * body.space.size());
     ++inner;
   }
-  EXPECT_EQ(inner, 4);
+  EXPECT_EQ(inner, 2 * (body.space.node_columns() - 2));
 }
 
 TEST(UpdateNodes, DampingIsItsShareOfTheUnbalancedForceAgainstTheVelocityAndNeverTurnsTheAcceleration) {

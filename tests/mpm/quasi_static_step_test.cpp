@@ -56,6 +56,7 @@ TYPED_TEST(QuasiStaticStepOf, NewtonConvergesQuadraticallyWithEveryLaw) {
     tracked.law = law;
     tracked.points = {};
     tracked.points.tracks_deformation = true;
+    tracked.points.has_domains = TypeParam::has_domains;
     place_layer(tracked, {.layer = 1, .base = 0.0, .thickness = 2.0});
     std::mt19937 random(12);
     scatter_positions(tracked, random, 0.05);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include <gmock/gmock.h>
 
@@ -24,30 +25,48 @@ Refill refill_to(double level, RefillRule rule = RefillRule::sub_element) {
   return {.rule = rule, .layer = 4, .lower_level = 1.0, .design_level = level};
 }
 
+/// Of a stage at whose end nothing closes the gap.
+Refill open_refill_to(double level) {
+  Refill refill = refill_to(level);
+  refill.ends_closed = false;
+  return refill;
+}
+
 double mean_height(const Body<TriangleSpace>& body) {
   return total_volume(body.points) / body.space.width();
 }
 
-TEST(RefillWhereDue, AddsARowAsSoonAsTheGapExceedsHalfItsHeightAndNotBefore) {
-  const auto rows_added = [](double gap_in_rows) {
-    auto body = body_below_gap();
-    return refill_where_due(body, refill_to(1.5 + gap_in_rows * row)) / 2;
-  };
-  EXPECT_EQ(rows_added(0.0), 0);
-  EXPECT_EQ(rows_added(0.49), 0);
-  EXPECT_EQ(rows_added(0.51), 1);
-  EXPECT_EQ(rows_added(1.49), 1);
-  EXPECT_EQ(rows_added(1.51), 2);
-  EXPECT_EQ(rows_added(3.51), 4);
+/// Rows added for a gap of so many.
+int rows_added(double gap_in_rows, bool ends_closed) {
+  auto body = body_below_gap();
+  Refill refill = refill_to(1.5 + gap_in_rows * row);
+  refill.ends_closed = ends_closed;
+  return refill_where_due(body, refill) / 2;
 }
 
-TEST(RefillWhereDue, LeavesADeficitThatIsNeverMoreThanHalfARowAndZeroInTheMean) {
+TEST(RefillWhereDue, AddsTheRowsThatFitBelowTheDesignLevelWhereTheGapIsClosedInTheEnd) {
+  EXPECT_EQ(rows_added(0.0, true), 0);
+  EXPECT_EQ(rows_added(0.99, true), 0);
+  EXPECT_EQ(rows_added(1.01, true), 1);
+  EXPECT_EQ(rows_added(3.99, true), 3);
+}
+
+TEST(RefillWhereDue, AddsARowAsSoonAsTheGapExceedsHalfItsHeightWhereNothingClosesIt) {
+  EXPECT_EQ(rows_added(0.0, false), 0);
+  EXPECT_EQ(rows_added(0.49, false), 0);
+  EXPECT_EQ(rows_added(0.51, false), 1);
+  EXPECT_EQ(rows_added(1.49, false), 1);
+  EXPECT_EQ(rows_added(1.51, false), 2);
+  EXPECT_EQ(rows_added(3.51, false), 4);
+}
+
+TEST(RefillWhereDue, LeavesADeficitThatIsNeverMoreThanHalfARowAndZeroInTheMeanWhereNothingClosesIt) {
   double sum = 0;
   const int samples = 400;
   for (int k = 0; k < samples; ++k) {
     const double level = 1.5 + 4.0 * row * (k + 0.5) / samples;
     auto body = body_below_gap();
-    refill_where_due(body, refill_to(level));
+    refill_where_due(body, open_refill_to(level));
     const double deficit = level - mean_height(body);
     EXPECT_LE(std::abs(deficit), 0.5 * row * (1.0 + 1e-9));
     sum += deficit;
@@ -65,7 +84,7 @@ TEST(RefillWhereDue, SettlesOnceAndAddsNothingTheSecondTime) {
 TEST(RefillWhereDue, FillsOnlyTheColumnsOfSquaresThatHaveSettled) {
   auto body = body_below_gap(3);
   for (std::size_t p = 0; p < body.points.size(); ++p)
-    if (body.space.column_of(body.points.cell[p]) == 1) body.points.volume[p] *= 0.9; // 1.35 m: 1.8 rows short
+    if (body.space.column_of(body.points.cell[p]) == 1) body.points.volume[p] *= 0.85; // 1.275 m: 2.7 rows short
   EXPECT_EQ(refill_where_due(body, refill_to(1.5)), 4);
   for (std::size_t p = 0; p < body.points.size(); ++p)
     if (body.points.refilled[p] != 0) {
@@ -73,15 +92,32 @@ TEST(RefillWhereDue, FillsOnlyTheColumnsOfSquaresThatHaveSettled) {
     }
 }
 
-TEST(RefillWhereDue, StacksItsRowsDownwardsFromTheDesignLevel) {
+TEST(RefillWhereDue, StacksItsRowsOnTheSurface) {
   auto body = body_below_gap();
-  const double level = 1.5 + 2.0 * row;
-  refill_where_due(body, refill_to(level));
+  refill_where_due(body, refill_to(1.5 + 2.7 * row));
   for (std::size_t p = 0; p < body.points.size(); ++p)
     if (body.points.refilled[p] != 0) {
-      const double below = (level - body.points.position[1][p]) / row;
-      EXPECT_TRUE(std::abs(below - 0.5) < 1e-9 || std::abs(below - 1.5) < 1e-9) << below;
+      const double above = (body.points.position[1][p] - 1.5) / row;
+      EXPECT_TRUE(std::abs(above - 0.5) < 1e-9 || std::abs(above - 1.5) < 1e-9) << above;
     }
+}
+
+TEST(RefillWhereDue, GivesPointsDomainsThatTouchThoseBelowAndEachOther) {
+  auto body = block<GimpSpace>({.columns = 2, .rows = 6, .filled_rows = 3});
+  close_gap(body, {.rule = RefillRule::sub_element, .layer = 4, .lower_level = 1.0, .design_level = 1.5 + 1.6 * 0.25});
+  std::map<long, double> top_of_row; // by lower side, both in thousandths of a row
+  double volume = 0;
+  for (std::size_t p = 0; p < body.points.size(); ++p) {
+    const Vector<2> half = body.points.half_lengths_of(p);
+    const double y = body.points.position[1][p];
+    top_of_row[std::lround(1e3 * (y - half[1]) / 0.25)] = 1e3 * (y + half[1]) / 0.25;
+    volume += 4.0 * half.prod();
+  }
+  EXPECT_NEAR(volume / total_volume(body.points), 1.0, 1e-13);
+  ASSERT_EQ(top_of_row.size(), 8U);
+  for (auto here = top_of_row.begin(); std::next(here) != top_of_row.end(); ++here)
+    EXPECT_NEAR(here->second, static_cast<double>(std::next(here)->first), 1e-6);
+  EXPECT_NEAR(top_of_row.rbegin()->second, 1e3 * (6.0 + 1.6), 1e-6);
 }
 
 TEST(CloseGap, ClosesEveryColumnExactly) {
@@ -93,15 +129,14 @@ TEST(CloseGap, ClosesEveryColumnExactly) {
     EXPECT_NEAR(height, 1.5, 1e-13);
 }
 
-TEST(CloseGap, PutsThePartialRowRightBelowTheFullOnes) {
+TEST(CloseGap, PutsThePartialRowRightAboveTheFullOnes) {
   auto body = body_below_gap();
-  const double level = 1.5 + 2.6 * row;
-  EXPECT_EQ(close_gap(body, refill_to(level)), 6);
-  std::vector<double> depths; // of the middles of the rows below the design level, in rows
+  EXPECT_EQ(close_gap(body, refill_to(1.5 + 2.6 * row)), 6);
+  std::vector<double> heights; // of the middles of the rows above the surface, in rows
   for (std::size_t p = 0; p < body.points.size(); ++p)
-    if (body.points.refilled[p] != 0) depths.push_back((level - body.points.position[1][p]) / row);
-  std::sort(depths.begin(), depths.end());
-  EXPECT_THAT(depths, testing::Pointwise(testing::DoubleNear(1e-9), {0.5, 0.5, 1.5, 1.5, 2.3, 2.3}));
+    if (body.points.refilled[p] != 0) heights.push_back((body.points.position[1][p] - 1.5) / row);
+  std::sort(heights.begin(), heights.end());
+  EXPECT_THAT(heights, testing::Pointwise(testing::DoubleNear(1e-9), {0.5, 0.5, 1.5, 1.5, 2.3, 2.3}));
 }
 
 TEST(CloseGap, LeavesAGapOpenThatIsBelowHalfAPercentOfARow) {

@@ -29,7 +29,25 @@ TEST(Requirements, ThePapersColumnCanBeRun) {
 TEST(Requirements, NamesTheKeyItsPlaceAndTheValueThatCanBeRun) {
   expect_refused({"geometry.dimension=3"}, "--set geometry.dimension=3", "set geometry.dimension = 2");
   expect_refused({"mpm.element=tetrahedron"}, "--set mpm.element=tetrahedron", "\"triangle\" or \"quadrilateral\"");
-  expect_refused({"mpm.basis=gimp"}, "--set mpm.basis=gimp", "set mpm.basis = \"linear\"");
+}
+
+TEST(Requirements, SmoothBasesAreThoseOfQuadrilaterals) {
+  for (const std::string basis : {"gimp", "b-spline"}) {
+    expect_refused({"mpm.basis=" + basis}, "--set mpm.basis=" + basis, "set mpm.element = \"quadrilateral\"");
+    EXPECT_NO_THROW(require_solvable(paper_column({"mpm.basis=" + basis, "mpm.element=quadrilateral"})));
+  }
+}
+
+TEST(Requirements, SplinesOverFullCellsNeedAsManyPointsAsFunctionsAcrossInTheExplicitScheme) {
+  const Overrides explicit_splines{"mpm.integration=mixed", "mpm.element=quadrilateral", "mpm.basis=b-spline",
+                                   "mpm.scheme=explicit", "mpm.points_per_element=4"};
+  expect_refused(explicit_splines, "--set mpm.integration=mixed", "2 points, 3 functions");
+  for (const char* change :
+       {"mpm.integration=points", "mpm.points_per_element=9", "geometry.width=0.25", "mpm.scheme=quasi-static"}) {
+    Overrides changed = explicit_splines;
+    changed.emplace_back(change);
+    EXPECT_NO_THROW(require_solvable(paper_column(changed))) << change;
+  }
 }
 
 TEST(Requirements, ATriangleTakesThreePointsAndAQuadrilateralASquareOfThem) {

@@ -15,12 +15,14 @@ struct Refill {
   int layer = 1;
   double lower_level = 0;  ///< design level of the layer's lower side [m]
   double design_level = 0; ///< of its surface [m]
+  bool ends_closed = true; ///< the stage ends with `close_gap`
 };
 
 /// Adds what has become due, in the state the body is in; to be called after every increment or step.
 /// `element` (Aviles & Pinyol 2023): every cell of the layer that has become empty gets its initial points.
-/// `sub-element`: a row of points across a column of squares as soon as the gap below the design level exceeds half the
-/// row's height, so that the deficit has no bias. Sorts the body if anything was added. Returns the points added.
+/// `sub-element`: rows of points on the surface of every column of squares, as many as fit below the design level;
+/// where nothing closes the gap in the end, one as soon as the gap exceeds half its height, so that the deficit has no
+/// bias. Sorts the body if anything was added. Returns the points added.
 template <class Space>
 int refill_where_due(Body<Space>& body, const Refill& refill);
 
