@@ -32,6 +32,8 @@ std::unique_ptr<Command> make_converge_command();
 std::unique_ptr<Command> make_compare_command();
 std::unique_ptr<Command> make_check_command();
 std::unique_ptr<Command> make_report_command();
+std::unique_ptr<Command> make_baseline_command();
+std::unique_ptr<Command> make_import_command();
 std::unique_ptr<Command> make_list_command();
 std::unique_ptr<Command> make_show_command();
 std::unique_ptr<Command> make_schema_command();

@@ -5,7 +5,9 @@
 #include <nlohmann/json.hpp>
 
 #include "command.hpp"
+#include "settle/compare/campaign_io.hpp"
 #include "settle/compare/interrupt.hpp"
+#include "settle/compare/joined_solver.hpp"
 #include "settle/compare/process.hpp"
 #include "settle/compare/solver_programs.hpp"
 #include "settle/exchange/program.hpp"
@@ -37,6 +39,23 @@ bool examine_solver(const std::string& solver) {
                  fmt::format("build it, or name a program in {}", program_variable(solver)));
 }
 
+/// A solver that a file joins: only whether its program is there. What it would answer is not known.
+bool examine_joined(const std::string& name, const JoinedSolver& solver) {
+  const fs::path program = program_of(solver);
+  fmt::print("{}  solver {}: {}\n", program.empty() ? "missing" : "ok     ", name,
+             program.empty() ? "there is no program for the command " + solver.command : program.string());
+  return !program.empty();
+}
+
+/// Those of the user's file, and of a campaign where one is named.
+bool examine_joined_solvers(const std::string& campaign_file) {
+  const JoinedSolvers solvers = campaign_file.empty() ? user_solvers() : read_campaign(campaign_file).solvers;
+  bool all = true;
+  for (const auto& [name, solver] : solvers)
+    all = examine_joined(name, solver) && all;
+  return all;
+}
+
 void print_libraries() {
   fmt::print("ok       settle {} (commit {}), result format {}\n", exchange::program_version(),
              exchange::program_commit(), exchange::result_version);
@@ -50,15 +69,21 @@ class DoctorCommand : public Command {
 public:
   [[nodiscard]] std::string name() const override { return "doctor"; }
   [[nodiscard]] std::string purpose() const override { return "say what is installed, and what is missing"; }
-  void declare(CLI::App&) override {}
+  void declare(CLI::App& app) override {
+    app.add_option("CAMPAIGN", campaign_, "campaign file whose solvers are looked for too");
+  }
   exchange::ExitCode run(const std::string&) override {
     print_libraries();
     const bool mpm = examine_solver("mpm");
     const bool fem = examine_solver("fem");
     const bool gnuplot = examine("gnuplot", find_in_path("gnuplot"),
                                  "needed for the report's figures (Debian: apt-get install gnuplot-nox)");
-    return mpm && fem && gnuplot ? exchange::ExitCode::success : exchange::ExitCode::verdict_failed;
+    const bool joined = examine_joined_solvers(campaign_);
+    return mpm && fem && gnuplot && joined ? exchange::ExitCode::success : exchange::ExitCode::verdict_failed;
   }
+
+private:
+  std::string campaign_;
 };
 
 } // namespace

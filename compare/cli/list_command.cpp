@@ -3,9 +3,11 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "command.hpp"
 #include "settle/compare/campaign_io.hpp"
+#include "settle/compare/joined_solver.hpp"
 #include "settle/exchange/case_io.hpp"
 #include "settle/exchange/document.hpp"
 
@@ -33,11 +35,35 @@ std::vector<fs::path> toml_files(const fs::path& folder) {
   return found;
 }
 
+/// "campaign: TITLE", and the solvers it joins.
+std::string campaign_description(const fs::path& file) {
+  const Campaign campaign = read_campaign(file);
+  const JoinedSolvers others = user_solvers();
+  std::string names;
+  for (const auto& [name, solver] : campaign.solvers) {
+    if (!others.contains(name)) names += (names.empty() ? "; joins " : ", ") + name;
+  }
+  return "campaign: " + campaign.title + names;
+}
+
+std::string solvers_description(const fs::path& file) {
+  std::vector<std::string> names;
+  for (const auto& [name, solver] : read_solvers(file))
+    names.push_back(name);
+  return fmt::format("solvers: {}", fmt::join(names, ", "));
+}
+
+void print_user_solvers() {
+  for (const auto& [name, solver] : user_solvers())
+    fmt::print("solver {}: {}{}{}\n", name, solver.title, solver.title.empty() ? "" : ": ", solver.command);
+}
+
 /// What a file is, in a line.
 std::string description_of(const fs::path& file) {
   try {
     const auto table = exchange::document::read(file);
-    if (exchange::document::find(table, "run") != nullptr) return "campaign: " + read_campaign(file).title;
+    if (exchange::document::find(table, "run") != nullptr) return campaign_description(file);
+    if (exchange::document::find(table, "solver") != nullptr) return solvers_description(file);
     const exchange::Case study = exchange::read_case(file);
     return fmt::format("{} ({} layers, {})", study.title, study.construction.layers,
                        exchange::name_of(study.construction.convention));
@@ -50,11 +76,14 @@ std::string description_of(const fs::path& file) {
 class ListCommand : public Command {
 public:
   [[nodiscard]] std::string name() const override { return "list"; }
-  [[nodiscard]] std::string purpose() const override { return "list the cases and campaigns of a folder"; }
+  [[nodiscard]] std::string purpose() const override {
+    return "list the cases and campaigns of a folder, and your solvers";
+  }
   void declare(CLI::App& app) override { app.add_option("DIR", folder_, "folder; left out: cases"); }
   exchange::ExitCode run(const std::string&) override {
     for (const fs::path& file : toml_files(folder_))
       fmt::print("{}: {}\n", file.string(), description_of(file));
+    print_user_solvers();
     return exchange::ExitCode::success;
   }
 

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "command.hpp"
-#include "settle/compare/solver_run.hpp"
+#include "settle/compare/command_words.hpp"
 #include "settle/exchange/program.hpp"
 
 namespace {
@@ -21,6 +21,8 @@ std::vector<std::unique_ptr<cli::Command>> all_commands() {
   commands.push_back(cli::make_compare_command());
   commands.push_back(cli::make_check_command());
   commands.push_back(cli::make_report_command());
+  commands.push_back(cli::make_baseline_command());
+  commands.push_back(cli::make_import_command());
   commands.push_back(cli::make_list_command());
   commands.push_back(cli::make_show_command());
   commands.push_back(cli::make_schema_command());

@@ -4,6 +4,7 @@
 #include <memory>
 #include <thread>
 
+#include "announce.hpp"
 #include "progress.hpp"
 #include "settle/compare/campaign_run.hpp"
 #include "settle/compare/finished_campaign.hpp"
@@ -93,6 +94,7 @@ ExitCode run_and_report(Campaign campaign, const RunningOptions& options, const 
     end->summary = "nothing to run: everything is up to date\n" + end->summary;
   }
   display->end(end->exit_code, end->summary, report);
+  if (options.progress != "json" && somebody_listens()) announce(read_outcome(folder));
   return end->exit_code;
 }
 

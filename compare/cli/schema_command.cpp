@@ -2,6 +2,7 @@
 
 #include "command.hpp"
 #include "settle/compare/campaign_io.hpp"
+#include "settle/compare/joined_solver.hpp"
 #include "settle/exchange/case_io.hpp"
 
 namespace settle::compare::cli {
@@ -12,10 +13,13 @@ public:
   [[nodiscard]] std::string name() const override { return "schema"; }
   [[nodiscard]] std::string purpose() const override { return "print the JSON Schema of a file format, for editors"; }
   void declare(CLI::App& app) override {
-    app.add_option("FORMAT", format_, "case or campaign; left out: case")->check(CLI::IsMember({"case", "campaign"}));
+    app.add_option("FORMAT", format_, "case, campaign or solvers; left out: case")
+        ->check(CLI::IsMember({"case", "campaign", "solvers"}));
   }
   exchange::ExitCode run(const std::string&) override {
-    fmt::print("{}\n", format_ == "case" ? exchange::case_schema() : campaign_schema());
+    fmt::print("{}\n", format_ == "case"       ? exchange::case_schema()
+                       : format_ == "campaign" ? campaign_schema()
+                                               : solvers_schema());
     return exchange::ExitCode::success;
   }
 

@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include "announce.hpp"
 #include "command.hpp"
 #include "settle/compare/campaign_run.hpp"
+#include "settle/compare/gates.hpp"
 #include "settle/compare/outcome_io.hpp"
 #include "settle/compare/report.hpp"
 #include "summary.hpp"
@@ -18,15 +20,29 @@ class CheckCommand : public Command {
 public:
   [[nodiscard]] std::string name() const override { return "check"; }
   [[nodiscard]] std::string purpose() const override { return "judge existing results again, without running"; }
-  void declare(CLI::App& app) override { app.add_option("DIR", folder_, "folder of a run or campaign")->required(); }
+  void declare(CLI::App& app) override {
+    app.add_option("DIR", folder_, "folder of a run or campaign, or a file in it")->required();
+    app.add_option("--format", format_,
+                   "text; gitlab: a code quality report; junit; json: the verdicts; left out: text")
+        ->check(CLI::IsMember({"text", "gitlab", "junit", "json"}));
+  }
   ExitCode run(const std::string&) override {
-    const CampaignOutcome outcome = read_outcome(folder_);
-    fmt::print("{}", summary_text(outcome));
+    const std::filesystem::path given(folder_);
+    const CampaignOutcome outcome = read_outcome(std::filesystem::is_regular_file(given) ? given.parent_path() : given);
+    fmt::print("{}", text_of(outcome));
+    if (format_ == "text" && somebody_listens()) announce(outcome);
     return exit_code_of(outcome.runs, outcome.families);
   }
 
 private:
-  std::string folder_;
+  [[nodiscard]] std::string text_of(const CampaignOutcome& outcome) const {
+    if (format_ == "gitlab") return gitlab_code_quality(outcome);
+    if (format_ == "junit") return junit_xml(outcome);
+    if (format_ == "json") return verdicts_json(outcome);
+    return summary_text(outcome);
+  }
+
+  std::string folder_, format_ = "text";
 };
 
 class ReportCommand : public Command {

@@ -86,6 +86,17 @@ std::string failures_text(const std::vector<Verdict>& verdicts) {
   return text;
 }
 
+std::string drifts_text(const CampaignOutcome& outcome) {
+  std::string text;
+  for (const RunOutcome& run : outcome.runs) {
+    for (const Verdict& verdict : run.verdicts) {
+      const bool drifts = verdict.kind == "baseline" && verdict.status == Status::passed && !verdict.message.empty();
+      if (drifts) text += fmt::format("note: {}: {}: {}\n", run.name, verdict.what, verdict.message);
+    }
+  }
+  return text;
+}
+
 std::string summary_text(const CampaignOutcome& outcome) {
   std::size_t width = 3;
   for (const RunOutcome& run : outcome.runs)
@@ -100,6 +111,7 @@ std::string summary_text(const CampaignOutcome& outcome) {
   for (const Family& family : outcome.families)
     failures += failures_text(family.verdicts);
   if (!outcome.families.empty()) text += fmt::format("\n{}", convergence_text(outcome.families));
+  failures += drifts_text(outcome);
   return failures.empty() ? text : text + "\n" + failures;
 }
 

@@ -21,7 +21,7 @@ KeyTable<RunEntry> run_keys() {
             {.required = true,
              .doc = "unique; {construction.layers} in it stands for the value of that key of matrix or zip"});
   keys.text("case", &RunEntry::case_file, {.required = true, .doc = "the case file, relative to the campaign file"});
-  keys.texts("solvers", &RunEntry::solvers, {.count = {.least = 1}, .doc = "mpm, fem, or both"});
+  keys.texts("solvers", &RunEntry::solvers, {.count = {.least = 1}, .doc = "mpm, fem, or the NAME of a [solver.NAME]"});
   keys.toml_values("set", &RunEntry::set, {.doc = "keys of the case that are set for the whole run"});
   keys.toml_lists("matrix", &RunEntry::matrix,
                   {.doc = "keys of the case that are varied; every combination of their values is a run"});
@@ -48,7 +48,9 @@ KeyTable<Curve> curve_keys() {
   keys.text(
       "source", &Curve::source,
       {.required = true,
-       .doc = "mpm, fem, exact (of what mpm solves), exact-fem, eq-1, or the name of one of the case's references"});
+       .doc =
+           "a solver, exact (of what mpm solves), exact-SOLVER (of what that one solves), eq-1, or the name of one of "
+           "the case's references"});
   keys.text("label", &Curve::label, {.doc = "shown in the legend"});
   keys.choice("stage", &Curve::stages, {.doc = "the last stage, or a curve for each of all stages"});
   keys.real("density", &Curve::density,
@@ -72,7 +74,7 @@ KeyTable<Published> published_keys() {
   keys.text("label", &Published::label, {.required = true, .doc = "what it is and where it is printed"});
   keys.real("value", &Published::value, {.unit = "SI", .required = true, .doc = "as published"});
   keys.text("run", &Published::run, {.required = true, .doc = "the run it is set beside"});
-  keys.text("source", &Published::source, {.doc = "mpm or fem"});
+  keys.text("source", &Published::source, {.doc = "the solver, or the name of one of the case's references"});
   keys.choice("statistic", &Published::statistic, {.doc = "what is measured"});
   keys.text("why", &Published::why, {.doc = "a sentence that explains the difference"});
   return keys;
@@ -84,6 +86,7 @@ KeyTable<Campaign> campaign_keys() {
                {.range = exchange::exactly(1), .required = true, .doc = "version of this format"});
   keys.text("title", &Campaign::title, {.doc = "title of the report"});
   keys.text("description", &Campaign::description, {.doc = "what the campaign shows, in a few sentences"});
+  keys.named_tables("solver", &Campaign::solvers, joined_solver_keys());
   keys.table_array("run", &Campaign::runs, run_keys());
   keys.table_array("figure", &Campaign::figures, figure_keys());
   keys.table_array("published", &Campaign::published, published_keys());
@@ -91,24 +94,24 @@ KeyTable<Campaign> campaign_keys() {
 }
 
 void check_solvers(const Campaign& campaign, const std::string& name, exchange::Reading& reading) {
+  const std::vector<std::string> known = solver_names(campaign.solvers);
   for (std::size_t i = 0; i < campaign.runs.size(); ++i) {
     for (const std::string& solver : campaign.runs[i].solvers) {
-      if (solver == "mpm" || solver == "fem") continue;
       const std::string key = fmt::format("run.{}.solvers", i);
       const auto origin = reading.origins().find(key);
-      reading.complain({.where = origin != reading.origins().end() ? origin->second : name,
-                        .what = fmt::format("{} names an unknown solver", key),
-                        .given = solver,
-                        .allowed = "mpm, fem",
-                        .remedy = {}});
+      const std::string where = origin != reading.origins().end() ? origin->second : name;
+      if (const auto complaint = unknown_solver(solver, known, where, key)) reading.complain(*complaint);
     }
   }
 }
 
-Campaign campaign_of(const document::Table& table, const std::string& name) {
+/// `others`: solvers that the file may name without joining them itself.
+Campaign campaign_of(const document::Table& table, const std::string& name, const JoinedSolvers& others) {
   exchange::Reading reading;
   Campaign campaign;
   campaign_keys().read(table, {.path = "", .where = name}, campaign, reading);
+  settle_commands(name, campaign.solvers, reading);
+  campaign.solvers.insert(others.begin(), others.end()); // the file's own go before those
   check_solvers(campaign, name, reading);
   if (campaign.runs.empty()) {
     reading.complain({.where = name,
@@ -146,7 +149,7 @@ Figure profile_figure(const RunEntry& run, exchange::Quantity quantity, const st
     figure.curves.push_back(curve);
   };
   for (const std::string& solver : run.solvers) {
-    add(solver == "mpm" ? "exact" : "exact-fem", "exact, what " + solver + " solves");
+    add(solver == "mpm" ? "exact" : "exact-" + solver, "exact, what " + solver + " solves");
     add(solver, solver);
   }
   if (quantity == exchange::Quantity::settlement) add("eq-1", "Eq. (1)");
@@ -173,6 +176,18 @@ RunEntry run_of_case(const std::filesystem::path& case_file, const std::vector<s
   return run;
 }
 
+/// A campaign of one run, with the user's solvers. Throws InputError for a solver that is not known.
+Campaign campaign_with(RunEntry run) {
+  Campaign campaign;
+  campaign.solvers = user_solvers();
+  for (const std::string& solver : run.solvers) {
+    const auto complaint = unknown_solver(solver, solver_names(campaign.solvers), "--solvers", "the command line");
+    if (complaint) throw exchange::InputError(*complaint);
+  }
+  campaign.runs.push_back(std::move(run));
+  return campaign;
+}
+
 /// The solvers whose convergence a case says something about; both where it says nothing.
 std::vector<std::string> expected_solvers(const exchange::Case& study) {
   std::vector<std::string> solvers;
@@ -189,11 +204,11 @@ std::vector<std::string> expected_solvers(const exchange::Case& study) {
 } // namespace
 
 Campaign read_campaign(const std::filesystem::path& file) {
-  return campaign_of(document::read(file), file.string());
+  return campaign_of(document::read(file), file.string(), user_solvers());
 }
 
 Campaign parse_campaign(const std::string& text, const std::string& name) {
-  return campaign_of(document::parse(text, name), name);
+  return campaign_of(document::parse(text, name), name, {});
 }
 
 std::string to_toml(const Campaign& campaign) {
@@ -208,8 +223,7 @@ std::string campaign_schema() {
 
 Campaign campaign_of_case(const std::filesystem::path& case_file, const std::vector<std::string>& overrides,
                           const std::vector<std::string>& solvers) {
-  Campaign campaign;
-  campaign.runs.push_back(run_of_case(case_file, overrides, solvers));
+  Campaign campaign = campaign_with(run_of_case(case_file, overrides, solvers));
   const RunEntry& run = campaign.runs.front();
   campaign.title = run.name;
   campaign.figures = {profile_figure(run, exchange::Quantity::settlement, "Settlement since placement"),
@@ -219,8 +233,7 @@ Campaign campaign_of_case(const std::filesystem::path& case_file, const std::vec
 
 Campaign refinement_of_case(const std::filesystem::path& case_file, const std::vector<std::string>& overrides,
                             const std::vector<std::string>& solvers) {
-  Campaign campaign;
-  campaign.runs.push_back(run_of_case(case_file, overrides, solvers));
+  Campaign campaign = campaign_with(run_of_case(case_file, overrides, solvers));
   RunEntry& run = campaign.runs.front();
   run.converge = true;
   if (solvers.empty()) run.solvers = expected_solvers(exchange::read_case(case_file, overrides));

@@ -18,13 +18,25 @@ namespace fs = std::filesystem;
 
 namespace {
 
+std::string hash_of(const fs::path& program) {
+  return program.empty() ? std::string() : exchange::sha256(read_text(program));
+}
+
+std::string hash_of(const JoinedSolver& solver) {
+  return program_of(solver).empty() ? std::string() : exchange::sha256(key_of(solver));
+}
+
+std::optional<JoinedSolver> joined_in(const ExpandedRun& run, const std::string& solver) {
+  const auto found = run.joined.find(solver);
+  return found != run.joined.end() ? std::optional(found->second) : std::nullopt;
+}
+
 /// Hashes of the solvers' programs, each read once.
 class SolverHashes {
 public:
-  const std::string& of(const std::string& solver) {
+  const std::string& of(const std::string& solver, const std::optional<JoinedSolver>& joined) {
     const auto [entry, is_new] = hashes_.try_emplace(solver);
-    const fs::path program = is_new ? find_solver(solver) : fs::path();
-    if (!program.empty()) entry->second = exchange::sha256(read_text(program));
+    if (is_new) entry->second = joined ? hash_of(*joined) : hash_of(find_solver(solver));
     return entry->second;
   }
 
@@ -41,6 +53,7 @@ double default_memory_limit() {
 
 SolverJob job_of(const ExpandedRun& run, const std::string& solver, const fs::path& folder, double memory_limit) {
   return {.solver = solver,
+          .joined = joined_in(run, solver),
           .case_file = run.case_file,
           .overrides = run.overrides,
           .result_file = result_in(run_folder(folder, run.name), solver),
@@ -62,10 +75,11 @@ Plan plan_campaign(std::vector<ExpandedRun> runs, const fs::path& folder, bool f
     const ExpandedRun& run = plan.runs[r];
     const std::string case_text = exchange::to_toml(run.study);
     for (std::size_t s = 0; s < run.solvers.size(); ++s)
-      plan.tasks.push_back({.run = r,
-                            .solver = s,
-                            .job = job_of(run, run.solvers[s], folder, memory_limit),
-                            .made_from = made_from(case_text, hashes.of(run.solvers[s]))});
+      plan.tasks.push_back(
+          {.run = r,
+           .solver = s,
+           .job = job_of(run, run.solvers[s], folder, memory_limit),
+           .made_from = made_from(case_text, hashes.of(run.solvers[s], joined_in(run, run.solvers[s])))});
   }
   look_again(plan, fresh);
   return plan;

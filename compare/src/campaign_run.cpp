@@ -4,7 +4,10 @@
 #include <chrono>
 #include <set>
 
+#include <fmt/format.h>
+
 #include "parallel.hpp"
+#include "settle/compare/baseline.hpp"
 #include "settle/compare/judge.hpp"
 #include "settle/compare/judge_convergence.hpp"
 #include "settle/compare/run_folder.hpp"
@@ -31,6 +34,9 @@ std::vector<RunOutcome> outcomes_of(const std::vector<ExpandedRun>& runs) {
     outcome.family = run.family;
     outcome.study = run.study;
     outcome.overrides = run.overrides;
+    outcome.case_file = run.case_file.string();
+    for (std::size_t i = 0; i < run.study.checks.size(); ++i)
+      outcome.check_places.push_back(run.study.where(fmt::format("check.{}.quantity", i)));
     outcome.solvers.resize(run.solvers.size());
     outcomes.push_back(std::move(outcome));
   }
@@ -73,6 +79,7 @@ void note(const Task& task, SolverRun& run) {
 /// A solver's result that is up to date, with what it has cost.
 SolverRun taken_up(const Task& task) {
   SolverRun run = stored_result(task.job.solver, task.job.result_file);
+  if (task.job.joined) describe(*task.job.joined, run);
   run.command = command_of(task.job);
   run.wall_time = task.record->wall_time;
   run.cpu_time = task.record->cpu_time;
@@ -115,6 +122,7 @@ private:
     }
     if (const std::string& complaint = folder_complaints_[task.run]; !complaint.empty()) {
       SolverRun run{.solver = task.job.solver, .command = command_of(task.job), .result_file = task.job.result_file};
+      if (task.job.joined) describe(*task.job.joined, run);
       fail(run, SolverStatus::no_folder, complaint);
       return run;
     }
@@ -181,6 +189,8 @@ CampaignOutcome run_campaign(const Campaign& campaign, const Plan& plan, const R
                           .runs = outcomes_of(plan.runs)};
   Execution(plan, options, stop, outcome.runs).run_all();
   throw_if_interrupted(stop);
+  copy_baseline(campaign, options.folder);
+  judge_baseline(options.folder, outcome);
   outcome.families = families_of(outcome.runs);
   outcome.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return outcome;

@@ -106,12 +106,37 @@ std::string name_with(const std::string& pattern, const Settings& settings, cons
   return name;
 }
 
+/// What stands in the checks of a case is a solver that is known, one of its references, or the exact solution.
+void require_known_sides(const Campaign& campaign, const exchange::Case& study) {
+  std::vector<std::string> known = solver_names(campaign.solvers);
+  known.emplace_back("exact");
+  for (const auto& [name, reference] : study.references) {
+    if (campaign.solvers.contains(name)) {
+      throw InputError({.where = study.where("reference." + name),
+                        .what = "a reference has the name of a solver",
+                        .given = name,
+                        .allowed = "a name of its own",
+                        .remedy = "give the reference or the solver another name"});
+    }
+    known.push_back(name);
+  }
+  for (std::size_t i = 0; i < study.checks.size(); ++i) {
+    const std::string key = fmt::format("check.{}.between", i);
+    for (const std::string& side : study.checks[i].between) {
+      if (const auto complaint = unknown_solver(side, known, study.where(key), key)) throw InputError(*complaint);
+    }
+  }
+}
+
 ExpandedRun make_run(const Campaign& campaign, const RunEntry& entry, const Settings& settings) {
   ExpandedRun run;
   run.name = name_with(entry.name, settings, campaign.file.string());
   run.note = entry.note;
   run.case_file = campaign.file.parent_path() / entry.case_file;
   run.solvers = entry.solvers;
+  for (const std::string& solver : entry.solvers) {
+    if (const auto found = campaign.solvers.find(solver); found != campaign.solvers.end()) run.joined.insert(*found);
+  }
   run.time_limit = entry.time_limit;
   run.memory_limit = entry.memory_limit;
   for (const auto& [key, value] : entry.set)
@@ -119,6 +144,7 @@ ExpandedRun make_run(const Campaign& campaign, const RunEntry& entry, const Sett
   for (const auto& [key, value] : settings)
     run.overrides.push_back(key + "=" + value);
   run.study = exchange::read_case(run.case_file, run.overrides);
+  require_known_sides(campaign, run.study);
   return run;
 }
 
@@ -171,7 +197,10 @@ const ExpandedRun& require_run(const std::vector<ExpandedRun>& runs, const std::
 void require_source(const ExpandedRun& run, const std::string& source, const std::string& user,
                     const std::string& file) {
   std::vector<std::string> sources{"exact", "exact-fem", "eq-1"};
-  sources.insert(sources.end(), run.solvers.begin(), run.solvers.end());
+  for (const std::string& solver : run.solvers) {
+    sources.push_back(solver);
+    if (solver != "mpm" && solver != "fem") sources.push_back("exact-" + solver);
+  }
   for (const auto& [name, reference] : run.study.references)
     sources.push_back(name);
   if (std::find(sources.begin(), sources.end(), source) != sources.end()) return;

@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "settle/compare/baseline.hpp"
 #include "settle/compare/campaign_io.hpp"
 #include "settle/compare/reference_table.hpp"
 #include "settle/compare/text_file.hpp"
@@ -52,6 +53,7 @@ std::optional<std::string> fingerprint_of(const Campaign& campaign, const Plan& 
   if (due(plan) > 0) return {};
   json facts{to_toml(campaign), exchange::sha256(read_text("/proc/self/exe"))};
   TableHashes tables;
+  facts.push_back(tables.of(baseline_file(campaign)));
   for (const ExpandedRun& run : plan.runs)
     facts.push_back(of_run(run, tables));
   for (const Task& task : plan.tasks)

@@ -79,9 +79,13 @@ std::vector<Verdict> judge(const RunOutcome& run) {
   append(verdicts, judge_physics(run));
   append(verdicts, judge_balance(run));
   append(verdicts, judge_references(run));
+  for (Verdict& verdict : verdicts)
+    verdict.where = run.case_file;
   if (!run.family.empty()) return verdicts; // the checks' limits are those of the case's own grid
-  for (const exchange::Check& check : run.study.checks)
-    verdicts.push_back(judge_check(run, check));
+  for (std::size_t i = 0; i < run.study.checks.size(); ++i) {
+    verdicts.push_back(judge_check(run, run.study.checks[i]));
+    verdicts.back().where = i < run.check_places.size() ? run.check_places[i] : run.case_file;
+  }
   return verdicts;
 }
 

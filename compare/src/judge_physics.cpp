@@ -38,11 +38,11 @@ private:
   bool not_a_number_ = false;
 };
 
-/// What the case asks of a solver; of a program other than the two, its own kinematics are taken.
-exchange::Kinematics kinematics_wanted(const RunOutcome& run, const std::string& solver, const Used& used) {
-  if (solver == "mpm") return exchange::Kinematics::finite;
-  if (solver == "fem") return run.study.fem.kinematics;
-  return used.kinematics;
+/// What the case asks of a solver; of a program other than the two, what the file says that joins it, else its own.
+exchange::Kinematics kinematics_wanted(const RunOutcome& run, const SolverRun& solver, const Used& used) {
+  if (solver.solver == "mpm") return exchange::Kinematics::finite;
+  if (solver.solver == "fem") return run.study.fem.kinematics;
+  return solver.kinematics.value_or(used.kinematics);
 }
 
 Differences differences(const Used& used, const Used& wanted) {
@@ -65,7 +65,7 @@ std::vector<Verdict> judge_physics(const RunOutcome& run) {
   for (const SolverRun& solver : run.solvers) {
     if (!solver.result) continue;
     const Used& used = solver.result->used;
-    const Used wanted = exchange::used_values(run.study, kinematics_wanted(run, solver.solver, used));
+    const Used wanted = exchange::used_values(run.study, kinematics_wanted(run, solver, used));
     const Differences found = differences(used, wanted);
     Verdict verdict{.run = run.name,
                     .what = fmt::format("{} used what the case says", solver.solver),

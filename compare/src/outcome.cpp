@@ -36,6 +36,12 @@ std::string_view name_of(SolverStatus status) {
   return "unknown";
 }
 
+std::string title_of(const SolverRun& solver) {
+  if (solver.solver == "mpm") return "MPM";
+  if (solver.solver == "fem") return "FEM";
+  return solver.title.empty() ? solver.solver : solver.title;
+}
+
 std::optional<SolverStatus> status_named(std::string_view name) {
   constexpr auto last = static_cast<int>(SolverStatus::no_folder);
   for (int number = 0; number <= last; ++number) {
@@ -54,6 +60,18 @@ const exchange::Result* RunOutcome::result_of(const std::string& solver) const {
 const RunOutcome* CampaignOutcome::find(const std::string& run) const {
   const auto found = std::find_if(runs.begin(), runs.end(), [&](const RunOutcome& each) { return each.name == run; });
   return found != runs.end() ? &*found : nullptr;
+}
+
+std::vector<const SolverRun*> CampaignOutcome::joined_solvers() const {
+  std::vector<const SolverRun*> joined;
+  for (const RunOutcome& run : runs) {
+    for (const SolverRun& solver : run.solvers) {
+      const auto same = [&](const SolverRun* known) { return known->solver == solver.solver; };
+      if (solver.solver == "mpm" || solver.solver == "fem" || std::any_of(joined.begin(), joined.end(), same)) continue;
+      joined.push_back(&solver);
+    }
+  }
+  return joined;
 }
 
 } // namespace settle::compare

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "settle/compare/baseline.hpp"
 #include "settle/compare/campaign_io.hpp"
 #include "settle/compare/judge.hpp"
 #include "settle/compare/judge_convergence.hpp"
@@ -31,10 +32,8 @@ json to_json(const RunOutcome& run) {
   json solvers = json::array();
   for (const SolverRun& solver : run.solvers)
     solvers.push_back(to_json(solver));
-  return {{"name", run.name},
-          {"note", run.note},
-          {"family", run.family},
-          {"overrides", run.overrides},
+  return {{"name", run.name},           {"note", run.note},           {"family", run.family},
+          {"overrides", run.overrides}, {"case_file", run.case_file}, {"check_places", run.check_places},
           {"solvers", solvers}};
 }
 
@@ -60,16 +59,25 @@ SolverRun solver_from(const json& stored, const fs::path& folder) {
   return run;
 }
 
-RunOutcome run_from(const json& stored, const fs::path& campaign_folder) {
+void describe_joined(const JoinedSolvers& joined, RunOutcome& run) {
+  for (SolverRun& solver : run.solvers) {
+    if (const auto found = joined.find(solver.solver); found != joined.end()) describe(found->second, solver);
+  }
+}
+
+RunOutcome run_from(const json& stored, const JoinedSolvers& joined, const fs::path& campaign_folder) {
   RunOutcome run;
   run.name = stored.at("name");
   run.note = stored.at("note");
   run.family = stored.at("family");
   run.overrides = stored.at("overrides").get<std::vector<std::string>>();
+  run.case_file = stored.value("case_file", "");
+  run.check_places = stored.value("check_places", std::vector<std::string>());
   const fs::path folder = run_folder(campaign_folder, run.name);
   run.study = stored_case(folder);
   for (const json& solver : stored.at("solvers"))
     run.solvers.push_back(solver_from(solver, folder));
+  describe_joined(joined, run);
   judge_into(run);
   return run;
 }
@@ -83,7 +91,8 @@ CampaignOutcome outcome_from(const json& stored, const fs::path& folder) {
   outcome.commit = stored.at("commit");
   outcome.wall_time = stored.at("wall_time");
   for (const json& run : stored.at("runs"))
-    outcome.runs.push_back(run_from(run, folder));
+    outcome.runs.push_back(run_from(run, outcome.campaign.solvers, folder));
+  judge_baseline(folder, outcome);
   outcome.families = families_of(outcome.runs);
   return outcome;
 }

@@ -1,21 +1,16 @@
 #include "settle/compare/reference_table.hpp"
 
-#include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
-#include <fstream>
 #include <map>
 #include <string_view>
+#include <tuple>
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
+#include "csv_table.hpp"
 #include "settle/exchange/errors.hpp"
 
 namespace settle::compare {
 
-using exchange::Convention;
 using exchange::FileError;
 
 namespace {
@@ -25,106 +20,7 @@ constexpr std::array<std::string_view, column_count> column_names{
     "stage", "point", "placed_y_m", "y_m", "u_y_m", "sigma_xx_kPa", "sigma_yy_kPa", "density_kg_m3", "volume_m2"};
 constexpr double pascals_per_kilopascal = 1e3;
 
-using Row = std::array<double, column_count>;
-
-std::vector<std::string> split(std::string_view line) {
-  if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
-  std::vector<std::string> cells;
-  while (true) {
-    const std::size_t comma = line.find(',');
-    cells.emplace_back(line.substr(0, comma));
-    if (comma == std::string_view::npos) return cells;
-    line.remove_prefix(comma + 1);
-  }
-}
-
-/// Where the columns stand in the file.
-struct Header {
-  std::array<std::size_t, column_count> position{};
-  std::size_t cells = 0;
-  std::size_t refilled = 0; ///< `cells` where there is no such column
-};
-
-Header read_header(const std::string& line, const std::string& file) {
-  const std::vector<std::string> cells = split(line);
-  Header header{.cells = cells.size()};
-  const auto find = [&](std::string_view name) {
-    return static_cast<std::size_t>(std::find(cells.begin(), cells.end(), name) - cells.begin());
-  };
-  for (std::size_t c = 0; c < column_count; ++c) {
-    header.position[c] = find(column_names[c]);
-    if (header.position[c] == cells.size()) {
-      throw FileError({.where = file + ":1",
-                       .what = fmt::format("the column \"{}\" is missing", column_names[c]),
-                       .given = line,
-                       .allowed = fmt::format("{}", fmt::join(column_names, ",")),
-                       .remedy = {}});
-    }
-  }
-  header.refilled = find("refilled");
-  return header;
-}
-
-double to_number(const std::string& cell, const std::string& where) {
-  double number = 0.0;
-  const auto [end, problem] = std::from_chars(cell.data(), cell.data() + cell.size(), number);
-  if (problem != std::errc() || end != cell.data() + cell.size() || !std::isfinite(number)) {
-    throw FileError(
-        {.where = where, .what = "not a number", .given = cell, .allowed = "a finite number", .remedy = {}});
-  }
-  return number;
-}
-
-std::vector<Row> read_rows(std::istream& input, const std::string& file) {
-  std::string line;
-  std::getline(input, line);
-  const Header header = read_header(line, file);
-  std::vector<Row> rows;
-  for (int number = 2; std::getline(input, line); ++number) {
-    if (line.empty()) continue;
-    const std::string where = fmt::format("{}:{}", file, number);
-    const std::vector<std::string> cells = split(line);
-    if (cells.size() != header.cells) {
-      throw FileError({.where = where,
-                       .what = fmt::format("{} cells instead of {}", cells.size(), header.cells),
-                       .given = line,
-                       .allowed = {},
-                       .remedy = {}});
-    }
-    if (header.refilled < header.cells && to_number(cells[header.refilled], where) != 0.0) continue;
-    Row row{};
-    for (std::size_t c = 0; c < column_count; ++c)
-      row[c] = to_number(cells[header.position[c]], where);
-    rows.push_back(row);
-  }
-  return rows;
-}
-
-/// The layer of every row, or FileError where a point lies in a layer that its stage has not reached.
-std::vector<int> layers_of(const std::vector<Row>& rows, const exchange::Case& study, const std::string& file) {
-  const Convention convention = study.construction.convention;
-  const bool by_height = convention == Convention::refill || convention == Convention::drop;
-  std::map<double, double> first_stage;
-  for (const Row& row : rows) {
-    const auto known = first_stage.try_emplace(row[point], row[stage]).first;
-    known->second = std::min(known->second, row[stage]);
-  }
-  std::vector<int> layers;
-  for (const Row& row : rows) {
-    const double layer = by_height ? std::ceil(row[placed_y] / study.layer_thickness()) : first_stage.at(row[point]);
-    if (!(layer >= 1.0) || layer > row[stage] || row[stage] > study.construction.layers) {
-      throw FileError(
-          {.where = file,
-           .what = "the table does not belong to this case",
-           .given = fmt::format("point {} at stage {}, placed at {} m", row[point], row[stage], row[placed_y]),
-           .allowed = fmt::format("{} layers of {} m, a point in a layer already placed", study.construction.layers,
-                                  study.layer_thickness()),
-           .remedy = "compare the table with a case of the same geometry and layers"});
-    }
-    layers.push_back(static_cast<int>(layer));
-  }
-  return layers;
-}
+using Row = std::vector<double>; // one number a column
 
 /// Sums of the points of one row of the table, weighted by volume.
 struct Sums {
@@ -170,20 +66,16 @@ void append_rows(ReferenceTable& table, const std::vector<Row>& rows, const std:
 } // namespace
 
 ReferenceTable read_reference_table(const std::filesystem::path& file, const exchange::Case& study) {
-  std::ifstream input(file);
-  if (!input)
-    throw FileError({.where = file.string(),
-                     .what = "the reference table cannot be read",
-                     .given = {},
-                     .allowed = {},
-                     .remedy = "check the path in [reference]; it is relative to the case file"});
-  const std::vector<Row> rows = read_rows(input, file.string());
+  const std::vector<Row> rows = read_csv(file, column_names, "refilled");
   if (rows.empty())
     throw FileError(
         {.where = file.string(), .what = "the reference table has no rows", .given = {}, .allowed = {}, .remedy = {}});
   ReferenceTable table;
   table.file = file.string();
-  append_rows(table, rows, layers_of(rows, study, file.string()), study.layer_thickness());
+  std::vector<TablePoint> points;
+  for (const Row& row : rows)
+    points.push_back({.stage = row[stage], .point = row[point], .placed_height = row[placed_y]});
+  append_rows(table, rows, layers_of(points, study, file), study.layer_thickness());
   return table;
 }
 

@@ -34,6 +34,10 @@ fs::path result_in(const fs::path& run_folder, const std::string& solver) {
   return run_folder / (solver + ".h5");
 }
 
+fs::path case_in(const fs::path& run_folder) {
+  return run_folder / "case.toml";
+}
+
 void prepare_run_folder(const fs::path& folder, const ExpandedRun& run) {
   make_folder(folder);
   remove_unfinished(folder);
@@ -44,7 +48,7 @@ void prepare_run_folder(const fs::path& folder, const ExpandedRun& run) {
     std::error_code unreadable; // the verdict of the reference says so
     fs::copy_file(original, folder / reference.file, fs::copy_options::overwrite_existing, unreadable);
   }
-  write_where_different(folder / "case.toml", exchange::to_toml(copy));
+  write_where_different(case_in(folder), exchange::to_toml(copy));
 }
 
 bool is_full(const fs::path& folder) {
@@ -58,7 +62,7 @@ bool is_full(const fs::path& folder) {
 }
 
 exchange::Case stored_case(const fs::path& folder) {
-  const fs::path file = folder / "case.toml";
+  const fs::path file = case_in(folder);
   return exchange::parse_case(read_text(file), file.string());
 }
 

@@ -21,15 +21,20 @@ std::string program_variable(const std::string& solver) {
   return name;
 }
 
+fs::path find_program(const std::string& name) {
+  std::error_code failure;
+  const fs::path self = fs::read_symlink("/proc/self/exe", failure);
+  const fs::path beside = self.parent_path() / name;
+  if (!self.empty() && fs::is_regular_file(beside, failure)) return beside;
+  return find_in_path(name);
+}
+
 fs::path find_solver(const std::string& solver) {
   std::error_code failure;
   if (const char* named = std::getenv(program_variable(solver).c_str()); named != nullptr && *named != '\0') {
     return fs::is_regular_file(named, failure) ? fs::absolute(named) : fs::path();
   }
-  const fs::path self = fs::read_symlink("/proc/self/exe", failure);
-  const fs::path beside = self.parent_path() / program_name(solver);
-  if (!self.empty() && fs::is_regular_file(beside, failure)) return beside;
-  return find_in_path(program_name(solver));
+  return find_program(program_name(solver));
 }
 
 } // namespace settle::compare

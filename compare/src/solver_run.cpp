@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "settle/compare/command_words.hpp"
 #include "settle/compare/process.hpp"
 #include "settle/compare/result_cache.hpp"
 #include "settle/compare/run_folder.hpp"
@@ -27,6 +28,24 @@ std::vector<std::string> case_arguments(const SolverJob& job) {
     arguments.push_back(override_text);
   }
   return arguments;
+}
+
+/// What is started for a job.
+struct Invocation {
+  std::filesystem::path program{}; ///< empty: there is none
+  std::vector<std::string> arguments{};
+};
+
+Invocation invocation_of(const SolverJob& job) {
+  if (job.joined) {
+    const fs::path folder = fs::absolute(job.result_file).parent_path(); // a program may change its own folder
+    std::vector<std::string> words = words_of(*job.joined, case_in(folder), folder / job.result_file.filename());
+    words.erase(words.begin());
+    return {.program = program_of(*job.joined), .arguments = std::move(words)};
+  }
+  Invocation invocation{.program = find_solver(job.solver), .arguments = case_arguments(job)};
+  invocation.arguments.insert(invocation.arguments.end(), {"--out", job.result_file.string(), "--quiet"});
+  return invocation;
 }
 
 SolverStatus status_of_exit(int code) {
@@ -96,10 +115,11 @@ void read_into(SolverRun& run) {
   }
 }
 
-SolverRun not_found(SolverRun run) {
+SolverRun not_found(const SolverJob& job, SolverRun run) {
   run.status = SolverStatus::not_found;
-  run.message = fmt::format("{} is neither beside settle nor in PATH; {} can name another program",
-                            program_name(run.solver), program_variable(run.solver));
+  run.message = job.joined ? fmt::format("the program of its command is not there: {}", job.joined->command)
+                           : fmt::format("{} is neither beside settle nor in PATH; {} can name another program",
+                                         program_name(run.solver), program_variable(run.solver));
   return run;
 }
 
@@ -113,12 +133,10 @@ void blame_full_disk(const SolverJob& job, SolverRun& run) {
   run.message += fmt::format("; there is no space left in {}", job.result_file.parent_path().string());
 }
 
-void run_process_of(const SolverJob& job, const fs::path& program, const std::atomic<bool>& stop, SolverRun& run) {
-  std::vector<std::string> arguments = case_arguments(job);
-  arguments.insert(arguments.end(), {"--out", job.result_file.string(), "--quiet"});
+void run_process_of(const SolverJob& job, const Invocation& invocation, const std::atomic<bool>& stop, SolverRun& run) {
   const fs::path log = log_of(job.result_file);
-  const ProcessOutcome outcome = run_process({.program = program,
-                                              .arguments = arguments,
+  const ProcessOutcome outcome = run_process({.program = invocation.program,
+                                              .arguments = invocation.arguments,
                                               .log = log,
                                               .time_limit = job.time_limit,
                                               .memory_limit = job.memory_limit},
@@ -139,35 +157,34 @@ fs::path log_of(const fs::path& result_file) {
   return fs::path(result_file).replace_extension(".log");
 }
 
-std::string quoted(const std::string& word) {
-  const char* harmless = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./=+:,@%";
-  if (!word.empty() && word.find_first_not_of(harmless) == std::string::npos) return word;
-  std::string text(1, '\'');
-  for (const char letter : word) {
-    if (letter == '\'') text += "'\\'"; // leaves the quotes, a quote, enters them again
-    text += letter;
-  }
-  text += '\'';
-  return text;
-}
-
 std::string command_of(const SolverJob& job) {
+  if (job.joined) {
+    const fs::path folder = fs::absolute(job.result_file).parent_path();
+    return joined(words_of(*job.joined, case_in(folder), folder / job.result_file.filename()));
+  }
   std::string text = program_name(job.solver);
   for (const std::string& argument : case_arguments(job))
     text.append(" ").append(quoted(argument));
   return text.append(" --out ").append(quoted(job.result_file.string()));
 }
 
+void describe(const JoinedSolver& joined, SolverRun& run) {
+  run.title = joined.title;
+  run.kinematics = joined.kinematics;
+}
+
 SolverRun run_solver(const SolverJob& job, const std::atomic<bool>& stop) {
   SolverRun run{.solver = job.solver, .command = command_of(job), .result_file = job.result_file};
-  const fs::path program = find_solver(job.solver);
-  if (program.empty()) return not_found(std::move(run));
+  if (job.joined) describe(*job.joined, run);
+  const Invocation invocation = invocation_of(job);
+  if (invocation.program.empty()) return not_found(job, std::move(run));
   discard_result(job.result_file);
-  run_process_of(job, program, stop, run);
+  run_process_of(job, invocation, stop, run);
   return run;
 }
 
 std::optional<std::string> complaint_of(const SolverJob& job, const std::atomic<bool>& stop) {
+  if (job.joined) return {}; // other programs know no --check
   const fs::path program = find_solver(job.solver);
   if (program.empty()) return {};
   constexpr double enough_to_read_a_case = 60.0;

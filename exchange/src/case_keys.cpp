@@ -208,12 +208,11 @@ KeyTable<Reference> reference_keys() {
 KeyTable<Check> check_keys_table() {
   KeyTable<Check> keys("One comparison and the limit it is held to.");
   keys.choice("quantity", &Check::quantity, {.required = true, .doc = "what is compared"});
-  keys.texts(
-      "between", &Check::between,
-      {.count = {.least = 2, .most = 2},
-       .required = true,
-       .doc =
-           "`\"mpm\"`, `\"fem\"`, `\"exact\"` or the NAME of a `[reference.NAME]`; the second one is the reference"});
+  keys.texts("between", &Check::between,
+             {.count = {.least = 2, .most = 2},
+              .required = true,
+              .doc = "`\"mpm\"`, `\"fem\"`, `\"exact\"` or the NAME of a `[reference.NAME]` or of a solver "
+                     "that joins; the second one is the reference"});
   keys.choice("norm", &Check::norm, {.doc = "root of the volume-weighted mean square, or the largest difference"});
   keys.choice_or_left_out("over", &Check::over, Over::automatic,
                           {.left_out = "points where `\"exact\"` takes part, else probes",

@@ -48,6 +48,7 @@ Answer run_program(const fs::path& program, const std::vector<std::string>& argu
 CommandLine::CommandLine() : study(paper_case(4, exchange::Convention::refill)) {
   study.checks = {check_of(exchange::Quantity::settlement, "mpm", 1e-9),
                   check_of(exchange::Quantity::vertical_stress, "fem", 1e-9)};
+  setenv("XDG_CONFIG_HOME", folder.path().c_str(), 1); // no solvers of whoever runs the tests
   case_file = folder.file("column.toml", exchange::to_toml(study));
   study = exchange::read_case(case_file);
   for (const std::string solver : {"mpm", "fem"}) {
@@ -59,6 +60,7 @@ CommandLine::CommandLine() : study(paper_case(4, exchange::Convention::refill)) 
 CommandLine::~CommandLine() {
   unsetenv("SETTLE_MPM");
   unsetenv("SETTLE_FEM");
+  unsetenv("XDG_CONFIG_HOME");
 }
 
 Answer CommandLine::settle(const std::vector<std::string>& arguments) {

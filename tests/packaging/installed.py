@@ -4,6 +4,9 @@ import re
 import subprocess
 
 
+adapters = {"settle-calculix"}
+
+
 def output(*command):
     return subprocess.run(command, check=True, capture_output=True, text=True).stdout
 
@@ -13,7 +16,8 @@ def install(build, prefix):
 
 
 def programs(prefix):
-    return sorted(pathlib.Path(prefix, "bin").iterdir())
+    """Those whose manual pages and completions are made from --help; adapters are scripts without options."""
+    return sorted(path for path in pathlib.Path(prefix, "bin").iterdir() if path.name not in adapters)
 
 
 def help_texts(program):

@@ -20,7 +20,7 @@ const char* colour_number(std::size_t index) {
 }
 
 bool is_line(const std::string& source) {
-  return source == "exact" || source == "exact-fem" || source == "eq-1";
+  return is_exact(source) || source == "eq-1";
 }
 
 /// Half way to black: a line of a run is seen on top of its markers.
@@ -42,7 +42,7 @@ std::map<std::string, std::size_t> order_of_runs(const Plot& plot) {
 
 CurveStyle style_of(const std::string& source) {
   if (source == "exact") return {black, true, 1, 0, 0};
-  if (source == "exact-fem") return {grey, true, 2, 0, 0};
+  if (is_exact(source)) return {grey, true, 2, 0, 0};
   if (source == "eq-1") return {grey, true, 4, 0, 0};
   if (source == "mpm") return {colour_number(0), false, 1, 7, 0.5};
   if (source == "fem") return {colour_number(1), false, 1, 4, 0.62};

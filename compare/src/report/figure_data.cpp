@@ -24,10 +24,23 @@ using exchange::Result;
 constexpr std::size_t marker_limit = 110;
 constexpr std::size_t marker_limit_of_layer = 9;
 
+constexpr std::string_view exact_of = "exact-"; // and the solver whose model is meant
+
+/// "exact" alone is of what MPM solves.
+Kinematics kinematics_of_exact(const RunOutcome& run, const std::string& source) {
+  return source == "exact" ? Kinematics::finite : kinematics_solved(run, source.substr(exact_of.size()));
+}
+
+/// "MPM, material points"; of others their probes, where they have some.
+std::string label_of(const RunOutcome& run, const SolverRun& solver) {
+  const bool probes = solver.solver != "mpm" && !run.study.probes.empty();
+  return title_of(solver) + (solver.solver == "mpm" ? ", material points" : probes ? ", probes" : "");
+}
+
 /// The profile of a curve at one of the stages 1 ... N.
 Profile profile_at(const Curve& curve, const RunOutcome& run, Quantity quantity, int stage) {
   if (curve.source == "exact") return exact_profile(run.study, Kinematics::finite, quantity, stage);
-  if (curve.source == "exact-fem") return exact_profile(run.study, run.study.fem.kinematics, quantity, stage);
+  if (is_exact(curve.source)) return exact_profile(run.study, kinematics_of_exact(run, curve.source), quantity, stage);
   if (const auto reference = run.references.find(curve.source); reference != run.references.end()) {
     return reference_profile(run.study, reference->second, quantity, stage);
   }
@@ -47,7 +60,7 @@ double density_of(const Curve& curve, const RunOutcome& run, const CampaignOutco
 }
 
 bool is_marker_source(const RunOutcome& run, const std::string& source) {
-  return source != "exact" && source != "exact-fem" && source != "eq-1" &&
+  return !is_exact(source) && source != "eq-1" &&
          (run.references.count(source) != 0 || run.result_of(source) != nullptr);
 }
 
@@ -55,7 +68,7 @@ bool is_marker_source(const RunOutcome& run, const std::string& source) {
 std::string obstacle(const Curve& curve, const RunOutcome* run, Quantity quantity, const CampaignOutcome& outcome) {
   if (!has_profile(quantity)) return fmt::format("{} has no profile over the height", name_of(quantity));
   if (run == nullptr) return fmt::format("the campaign has no run “{}”", curve.run);
-  if (curve.source == "exact" || curve.source == "exact-fem") return "";
+  if (is_exact(curve.source)) return "";
   if (curve.source == "eq-1") {
     if (quantity != Quantity::settlement) return "Eq. (1) gives the settlement only";
     return std::isfinite(density_of(curve, *run, outcome))
@@ -126,6 +139,10 @@ void drop_values_that_are_not_finite(PlotCurve& curve, std::vector<std::string>&
   if (dropped > 0) missing.push_back(fmt::format("{}: {} points have no value and are left out", curve.label, dropped));
 }
 
+bool is_exact(const std::string& source) {
+  return source == "exact" || source.starts_with(exact_of);
+}
+
 Plot plot_of(const Figure& figure, const CampaignOutcome& outcome) {
   const bool of_a_body = std::any_of(figure.curves.begin(), figure.curves.end(), [&](const Curve& curve) {
     const RunOutcome* run = outcome.find(curve.run);
@@ -163,13 +180,16 @@ Plot plot_of(const RunOutcome& run, Quantity quantity, const CampaignOutcome& ou
   const auto add = [&](const std::string& source, const std::string& label) {
     figure.curves.push_back({run.name, source, label, CheckStages::last, {}, {}});
   };
-  if (run.result_of("mpm") != nullptr) add("mpm", "MPM, material points");
-  if (run.result_of("fem") != nullptr) add("fem", "FEM, probes");
+  for (const SolverRun& solver : run.solvers) {
+    if (solver.result) add(solver.solver, label_of(run, solver));
+  }
   for (const auto& [name, table] : run.references)
     add(name, table.title.empty() ? name : table.title);
   add("exact", "exact, finite strain (what MPM solves)");
-  if (run.study.fem.kinematics == Kinematics::small && run.result_of("fem") != nullptr) {
-    add("exact-fem", "exact, small strain (what FEM solves)");
+  for (const SolverRun& solver : run.solvers) { // all small-strain solutions are the same
+    if (!solver.result || solver.result->used.kinematics != Kinematics::small) continue;
+    add("exact-" + solver.solver, fmt::format("exact, small strain (what {} solves)", title_of(solver)));
+    break;
   }
   return plot_of(figure, outcome);
 }

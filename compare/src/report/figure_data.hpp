@@ -10,7 +10,7 @@ namespace settle::compare::report {
 struct PlotCurve {
   std::string label;
   std::string run;
-  std::string source; ///< as in the campaign file: "mpm", "fem", "exact", "exact-fem", "eq-1", a reference's name
+  std::string source; ///< as in the campaign file: a solver, "exact", "exact-SOLVER", "eq-1", a reference
   Profile profile;
 };
 
@@ -34,6 +34,8 @@ struct Plot {
 
 /// Takes values that cannot be drawn out of a curve, and says so.
 void drop_values_that_are_not_finite(PlotCurve& curve, std::vector<std::string>& missing);
+/// "exact", of what MPM solves, or "exact-SOLVER", of what that one solves.
+bool is_exact(const std::string& source);
 
 /// The curves of a figure of the campaign.
 Plot plot_of(const Figure& figure, const CampaignOutcome& outcome);

@@ -82,7 +82,7 @@ Table solver_table(const RunOutcome& run) {
       for (const Stage& stage : solver.result->stages)
         steps += stage.steps;
     }
-    table.rows.push_back({{.text = solver.solver},
+    table.rows.push_back({{.text = solver.solver, .small_print = solver.title},
                           {.text = fmt::format("{} {}", finished ? "✓" : "!", name_of(solver.status)),
                            .badge = finished ? "passed" : "error"},
                           {.text = solver.result ? std::to_string(steps) : std::string(no_value)},
@@ -97,11 +97,15 @@ Table key_figure_table(const RunOutcome& run) {
               {{"Quantity", "", false}, {"Unit", "", false}},
               {}};
   for (const SolverRun& solver : run.solvers) {
-    const std::string name =
-        solver.solver == "mpm" || solver.solver == "fem" ? (solver.solver == "mpm" ? "MPM" : "FEM") : solver.solver;
+    const std::string name = title_of(solver);
     table.columns.push_back({name, "", true});
     table.columns.push_back({"exact", "", true});
     table.columns.push_back({name + " − exact", "", true});
+  }
+  for (const auto& [name, reference] : run.references) {
+    const std::string title = reference.title.empty() ? name : reference.title;
+    table.columns.push_back({title, "", true});
+    table.columns.push_back({title + " − exact", "", true});
   }
   for (const Statistic statistic : {Statistic::max_settlement, Statistic::max_vertical_stress, Statistic::mean_density,
                                     Statistic::base_reaction_stress, Statistic::refilled_points}) {
@@ -113,6 +117,11 @@ Table key_figure_table(const RunOutcome& run) {
       row.push_back({.text = value_text(statistic, value, 5)});
       row.push_back({.text = value_text(statistic, exact, 5)});
       row.push_back({.text = difference_text(statistic, value, exact)});
+    }
+    for (const auto& [name, reference] : run.references) {
+      const double value = measured(run, name, statistic);
+      row.push_back({.text = value_text(statistic, value, 5)});
+      row.push_back({.text = difference_text(statistic, value, exact_value(run, name, statistic))});
     }
     table.rows.push_back(std::move(row));
   }

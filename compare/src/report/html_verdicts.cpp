@@ -81,15 +81,20 @@ Cell against_exact(const RunOutcome& run, const std::string& source, Statistic s
 std::vector<Cell> overview_row(const CampaignOutcome& outcome, const RunOutcome& run) {
   const std::vector<Verdict> verdicts = reported_verdicts(run);
   const std::string remark = out_of_equilibrium(run).empty() ? "" : "out of equilibrium";
-  return {{.text = run.name, .link = fmt::format("#{}", anchor_of(outcome, run)), .small_print = remark},
-          status_cell(worst(verdicts)),
-          {.text = fmt::format("{} of {}", count(verdicts).at(Status::passed), verdicts.size())},
-          against_exact(run, "mpm", Statistic::max_settlement),
-          against_exact(run, "mpm", Statistic::max_vertical_stress),
-          against_exact(run, "mpm", Statistic::mean_density),
-          against_exact(run, "fem", Statistic::max_settlement),
-          against_exact(run, "fem", Statistic::max_vertical_stress),
-          {.text = duration(wall_time(run))}};
+  std::vector<Cell> row{{.text = run.name, .link = fmt::format("#{}", anchor_of(outcome, run)), .small_print = remark},
+                        status_cell(worst(verdicts)),
+                        {.text = fmt::format("{} of {}", count(verdicts).at(Status::passed), verdicts.size())},
+                        against_exact(run, "mpm", Statistic::max_settlement),
+                        against_exact(run, "mpm", Statistic::max_vertical_stress),
+                        against_exact(run, "mpm", Statistic::mean_density),
+                        against_exact(run, "fem", Statistic::max_settlement),
+                        against_exact(run, "fem", Statistic::max_vertical_stress),
+                        {.text = duration(wall_time(run))}};
+  for (const SolverRun* joined : outcome.joined_solvers()) {
+    row.push_back(against_exact(run, joined->solver, Statistic::max_settlement));
+    row.push_back(against_exact(run, joined->solver, Statistic::max_vertical_stress));
+  }
+  return row;
 }
 
 } // namespace
@@ -132,6 +137,10 @@ std::string overview_html(const CampaignOutcome& outcome) {
        {"Solvers' time", "", true}},
       {},
       true};
+  for (const SolverRun* joined : outcome.joined_solvers()) {
+    table.columns.push_back({title_of(*joined) + " settlement", "m", true});
+    table.columns.push_back({title_of(*joined) + " stress", "kPa", true});
+  }
   for (const RunOutcome& run : outcome.runs)
     table.rows.push_back(overview_row(outcome, run));
   return html_of(table);

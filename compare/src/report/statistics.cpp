@@ -43,6 +43,18 @@ double total_volume(const exchange::SamplePoints& points) {
   return sum;
 }
 
+/// Mass over volume of all rows of a stage [kg/m3].
+double mean_density(const ReferenceTable& table, int stage) {
+  double mass = 0.0;
+  double volume = 0.0;
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    if (table.stage[i] != stage) continue;
+    mass += table.density[i] * table.volume[i];
+    volume += table.volume[i];
+  }
+  return mass / volume;
+}
+
 double of_reference(const ReferenceTable& table, Statistic statistic) {
   if (table.size() == 0) return nan;
   constexpr double lowest = -std::numeric_limits<double>::infinity();
@@ -53,17 +65,12 @@ double of_reference(const ReferenceTable& table, Statistic statistic) {
   case Statistic::max_vertical_stress:
     return largest(table_samples(table, last, Quantity::vertical_stress), -1.0, lowest);
   case Statistic::mean_density:
+    return mean_density(table, last);
   case Statistic::base_reaction_stress:
   case Statistic::refilled_points:
     return nan;
   }
   return nan;
-}
-
-/// As the result states, else as the case says: a run without a result still has an exact solution.
-exchange::Kinematics kinematics_solved(const RunOutcome& run, const std::string& source) {
-  if (const Result* result = run.result_of(source)) return result->used.kinematics;
-  return source == "fem" ? run.study.fem.kinematics : exchange::Kinematics::finite;
 }
 
 double exact_statistic(const ExactColumn& exact, int last, Statistic statistic) {
@@ -82,6 +89,15 @@ double exact_statistic(const ExactColumn& exact, int last, Statistic statistic) 
 }
 
 } // namespace
+
+exchange::Kinematics kinematics_solved(const RunOutcome& run, const std::string& solver) {
+  if (const Result* result = run.result_of(solver)) return result->used.kinematics;
+  if (solver == "fem") return run.study.fem.kinematics;
+  const auto found = std::find_if(run.solvers.begin(), run.solvers.end(),
+                                  [&](const SolverRun& each) { return each.solver == solver; });
+  return found != run.solvers.end() ? found->kinematics.value_or(exchange::Kinematics::finite)
+                                    : exchange::Kinematics::finite;
+}
 
 double plan_area(const exchange::Case& study) {
   const double depth = study.geometry.dimension == 3 ? study.geometry.depth.value_or(study.geometry.width) : 1.0;

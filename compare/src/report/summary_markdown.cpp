@@ -64,16 +64,28 @@ std::string figure(const RunOutcome& run, const std::string& solver, Statistic s
 }
 
 std::string key_figures(const CampaignOutcome& outcome) {
+  const std::vector<const SolverRun*> joined = outcome.joined_solvers();
   std::string text = "## Runs\n\nLast stage; in brackets the difference from the exact solution of the same model.\n\n"
                      "| run | verdicts | MPM settlement [m] | MPM stress [kPa] | MPM mean density [kg/m³] "
-                     "| FEM settlement [m] | FEM stress [kPa] |\n|---|---|---:|---:|---:|---:|---:|\n";
+                     "| FEM settlement [m] | FEM stress [kPa] |";
+  std::string rule = "\n|---|---|---:|---:|---:|---:|---:|";
+  for (const SolverRun* solver : joined) {
+    text += fmt::format(" {0} settlement [m] | {0} stress [kPa] |", cell(title_of(*solver)));
+    rule += "---:|---:|";
+  }
+  text += rule + "\n";
   for (const RunOutcome& run : outcome.runs) {
     const std::string remark = out_of_equilibrium(run).empty() ? "" : " — out of equilibrium";
     text +=
-        fmt::format("| {}{} | {} | {} | {} | {} | {} | {} |\n", cell(run.name), remark,
+        fmt::format("| {}{} | {} | {} | {} | {} | {} | {} |", cell(run.name), remark,
                     count_text(count(reported_verdicts(run))), figure(run, "mpm", Statistic::max_settlement),
                     figure(run, "mpm", Statistic::max_vertical_stress), figure(run, "mpm", Statistic::mean_density),
                     figure(run, "fem", Statistic::max_settlement), figure(run, "fem", Statistic::max_vertical_stress));
+    for (const SolverRun* solver : joined) {
+      text += fmt::format(" {} | {} |", figure(run, solver->solver, Statistic::max_settlement),
+                          figure(run, solver->solver, Statistic::max_vertical_stress));
+    }
+    text += "\n";
   }
   return text;
 }

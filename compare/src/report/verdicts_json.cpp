@@ -19,6 +19,7 @@ ordered_json to_json(const Verdict& verdict) {
           {"limit", verdict.limit},
           {"scale", verdict.scale},
           {"why", verdict.why},
+          {"where", verdict.where},
           {"message", report::printable(verdict.message)}};
 }
 

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "settle/compare/joined_solver.hpp"
 #include "settle/exchange/case.hpp"
 
 namespace settle::compare {
@@ -28,8 +29,9 @@ struct RunEntry {
 
 /// A curve of a figure.
 struct Curve {
-  std::string run;    ///< name of an expanded run
-  std::string source; ///< "mpm", "fem", "exact" (of what mpm solves), "exact-fem", "eq-1", or a reference's name
+  std::string run; ///< name of an expanded run
+  std::string
+      source; ///< a solver, "exact" (of what mpm solves), "exact-SOLVER" (of what it solves), "eq-1", or a reference
   std::string label;
   exchange::CheckStages stages = exchange::CheckStages::last;
   std::optional<double> density; ///< "eq-1" only [kg/m3]; left out: the case's
@@ -62,6 +64,7 @@ struct Campaign {
   int format = 1;
   std::string title;
   std::string description;
+  JoinedSolvers solvers; ///< besides mpm and fem; with those of the user's file once read from a file
   std::vector<RunEntry> runs;
   std::vector<Figure> figures;
   std::vector<Published> published;

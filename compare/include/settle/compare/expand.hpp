@@ -20,6 +20,7 @@ struct ExpandedRun {
   std::filesystem::path case_file;
   std::vector<std::string> overrides; ///< `key=value`
   std::vector<std::string> solvers;
+  JoinedSolvers joined;               ///< those of them that a file joins
   double time_limit = 600.0;          ///< [s]
   std::optional<double> memory_limit; ///< [B]; nothing: nine tenths of the machine's
   exchange::Case study;               ///< read with the overrides

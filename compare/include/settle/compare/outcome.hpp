@@ -39,7 +39,8 @@ std::optional<SolverStatus> status_named(std::string_view name);
 
 /// One solver's part of a run.
 struct SolverRun {
-  std::string solver{}; ///< "mpm", "fem"
+  std::string solver{}; ///< "mpm", "fem", or a joined one
+  std::string title{};  ///< of a joined one; see `title_of`
   SolverStatus status = SolverStatus::no_result;
   std::string command{}; ///< as one can type it
   int exit_code = 0;
@@ -50,8 +51,12 @@ struct SolverRun {
   double peak_memory = 0; ///< largest resident set [B]
   bool reused = false;    ///< an up-to-date result was already there
   std::filesystem::path result_file{};
+  std::optional<exchange::Kinematics> kinematics{}; ///< what a joined solver is said to solve
   std::optional<exchange::Result> result{};
 };
+
+/// What reports call a solver: "MPM", "FEM", its title, or its name.
+std::string title_of(const SolverRun& solver);
 
 /// Where an MPM - FEM difference comes from: it is the sum of three parts at every probe, and some of what makes up the
 /// parts is known. Norms over probes, relative to the same norm of the exact solution of what FEM solves; NaN: not
@@ -91,7 +96,9 @@ struct RunOutcome {
   std::string note{};
   std::string family{}; ///< of which refinement family the run is a level; empty: of none
   exchange::Case study{};
-  std::vector<std::string> overrides{}; ///< `key=value`
+  std::vector<std::string> overrides{};    ///< `key=value`
+  std::string case_file{};                 ///< as the user named it, even where `study` is a copy of it
+  std::vector<std::string> check_places{}; ///< of each check of the case: `file:line:column` in that file
   std::vector<SolverRun> solvers{};
   std::map<std::string, ReferenceTable> references{};
   std::vector<DifferenceSplit> splits{};
@@ -112,6 +119,8 @@ struct CampaignOutcome {
   std::vector<Family> families{}; ///< refinement families among the runs
 
   [[nodiscard]] const RunOutcome* find(const std::string& run) const;
+  /// The solvers of all runs besides mpm and fem, one of each name.
+  [[nodiscard]] std::vector<const SolverRun*> joined_solvers() const;
 };
 
 } // namespace settle::compare

@@ -16,6 +16,9 @@ std::filesystem::path run_folder(const std::filesystem::path& campaign_folder, c
 /// The result of a solver.
 std::filesystem::path result_in(const std::filesystem::path& run_folder, const std::string& solver);
 
+/// The case of a run as joined solvers get it: overrides applied, defaults filled in.
+std::filesystem::path case_in(const std::filesystem::path& run_folder);
+
 /// Creates the folder of a run with its case, defaults filled in, and copies of the reference tables, so that it can be
 /// judged again wherever it is. What is there already is not written again; unfinished files are removed. Throws
 /// FileError where it cannot be written.

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "settle/compare/joined_solver.hpp"
 #include "settle/compare/outcome.hpp"
 
 namespace settle::compare {
@@ -15,6 +16,7 @@ namespace settle::compare {
 /// What is to be run and where its result goes. The log lies beside the result.
 struct SolverJob {
   std::string solver{};
+  std::optional<JoinedSolver> joined{}; ///< empty: mpm or fem
   std::filesystem::path case_file{};
   std::vector<std::string> overrides{}; ///< `key=value`
   std::filesystem::path result_file{};
@@ -28,8 +30,8 @@ std::filesystem::path log_of(const std::filesystem::path& result_file);
 /// The command as one can type it.
 std::string command_of(const SolverJob& job);
 
-/// A word quoted for a POSIX shell where it is not made of harmless characters.
-std::string quoted(const std::string& word);
+/// Notes what the file that joins a solver says of it.
+void describe(const JoinedSolver& joined, SolverRun& run);
 
 /// Runs the solver, after an earlier result was removed; where the solver is not installed that stays. Never throws for
 /// what a solver does: a crash, a limit, a full disk, a missing or unreadable result are statuses.

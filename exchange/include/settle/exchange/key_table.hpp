@@ -94,6 +94,11 @@ public:
   void choice(std::string name, Enum T::*member, KeyInfo info) {
     add(std::move(name), member, std::make_unique<ChoiceCodec<Enum>>(), info);
   }
+  /// The same where the key may be absent.
+  template <class Enum>
+  void choice(std::string name, std::optional<Enum> T::*member, KeyInfo info) {
+    add(std::move(name), member, optional<Enum>(std::make_unique<ChoiceCodec<Enum>>()), info);
+  }
   /// The same where `unwritable` is what leaving the key out means, and no word for it may be written.
   template <class Enum>
   void choice_or_left_out(std::string name, Enum T::*member, Enum unwritable, KeyInfo info) {

@@ -1,0 +1,127 @@
+#include "settle/compare/baseline.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "settle/compare/judge.hpp"
+#include "settle/compare/statistics.hpp"
+
+namespace settle::compare {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::size_t drifting = 3; ///< so many acceptances in one direction are pointed out
+
+void add_figures(const RunOutcome& run, const SolverRun& solver, BaselineValues& values) {
+  for (const Statistic statistic : {Statistic::max_settlement, Statistic::max_vertical_stress, Statistic::mean_density,
+                                    Statistic::base_reaction_stress}) {
+    const double value = measured(run, solver.solver, statistic);
+    if (!std::isfinite(value) || value == 0.0) continue;
+    values[fmt::format("{}: {} {}", run.name, solver.solver, exchange::name_of(statistic))] = {
+        .value = value, .scale = std::abs(value)};
+  }
+}
+
+/// Checks that no closed form decides.
+void add_checks(const RunOutcome& run, BaselineValues& values) {
+  for (const exchange::Check& check : run.study.checks) {
+    const bool exact = std::find(check.between.begin(), check.between.end(), "exact") != check.between.end();
+    if (exact || !(check.limit > 0.0)) continue;
+    const Verdict verdict = judge_check(run, check);
+    if (!std::isfinite(verdict.value)) continue;
+    values[fmt::format("{}: {}", run.name, verdict.what)] = {.value = verdict.value, .scale = check.limit};
+  }
+}
+
+BaselineValues values_of(const RunOutcome& run) {
+  BaselineValues values;
+  if (!run.family.empty()) return values;
+  for (const SolverRun& solver : run.solvers) {
+    if (solver.result) add_figures(run, solver, values);
+  }
+  add_checks(run, values);
+  return values;
+}
+
+/// How a value came from acceptance to acceptance, and today's: "rose with each of the last 3 acceptances, ...".
+/// Empty unless it moved in one direction all the time, by more than round-off.
+std::string drift_of(const std::string& key, const BaselineValue& today, const Baseline& baseline) {
+  if (baseline.size() < drifting) return {};
+  std::vector<double> course;
+  for (std::size_t i = baseline.size() - drifting; i < baseline.size(); ++i) {
+    const auto known = baseline[i].values.find(key);
+    if (known == baseline[i].values.end()) return {};
+    course.push_back(known->second.value);
+  }
+  course.push_back(today.value);
+  const double round_off = 1e-9 * today.scale;
+  bool rises = true, falls = true;
+  for (std::size_t i = 1; i < drifting; ++i) {
+    rises = rises && course[i] > course[i - 1] + round_off;
+    falls = falls && course[i] < course[i - 1] - round_off;
+  }
+  rises = rises && course.back() >= course[drifting - 1] - round_off;
+  falls = falls && course.back() <= course[drifting - 1] + round_off;
+  if (!rises && !falls) return {};
+  return fmt::format("drifts: it {} with each of the last {} acceptances, by {:.3g} % in all since {}",
+                     rises ? "rose" : "fell", drifting, 100.0 * std::abs(course.back() - course.front()) / today.scale,
+                     baseline[baseline.size() - drifting].when);
+}
+
+Verdict begun(const std::string& run, const std::string& key, const Acceptance& accepted) {
+  return {.run = run,
+          .what = fmt::format("{}, as accepted", key.substr(run.size() + 2)),
+          .kind = "baseline",
+          .limit = accepted.tolerance,
+          .why = fmt::format("accepted on {} by {}: {}", accepted.when, accepted.who, accepted.reason)};
+}
+
+Verdict judge_value(const std::string& run, const std::string& key, const BaselineValue& today,
+                    const Baseline& baseline) {
+  Verdict verdict = begun(run, key, baseline.back());
+  const auto known = baseline.back().values.find(key);
+  if (known == baseline.back().values.end()) {
+    verdict.message = "the value was never accepted: settle baseline accept takes it up";
+    return verdict;
+  }
+  verdict.value = std::abs(today.value - known->second.value) / known->second.scale;
+  verdict.scale =
+      fmt::format("{:.6g}; accepted {:.6g}, today {:.6g}", known->second.scale, known->second.value, today.value);
+  hold_to_limits(verdict);
+  if (verdict.status == Status::passed) verdict.message = drift_of(key, today, baseline);
+  return verdict;
+}
+
+void judge_run(const Baseline& baseline, RunOutcome& run) {
+  const BaselineValues today = values_of(run);
+  for (const auto& [key, value] : today)
+    run.verdicts.push_back(judge_value(run.name, key, value, baseline));
+  for (const auto& [key, value] : baseline.back().values) {
+    if (!key.starts_with(run.name + ": ") || today.contains(key)) continue;
+    run.verdicts.push_back(begun(run.name, key, baseline.back()));
+    run.verdicts.back().message = fmt::format("there is no such value today; accepted was {:.6g}", value.value);
+  }
+}
+
+} // namespace
+
+BaselineValues baseline_values(const CampaignOutcome& outcome) {
+  BaselineValues values;
+  for (const RunOutcome& run : outcome.runs)
+    values.merge(values_of(run));
+  return values;
+}
+
+void judge_baseline(const fs::path& folder, CampaignOutcome& outcome) {
+  const std::optional<Baseline> baseline = baseline_of(outcome.campaign, folder);
+  if (!baseline) return;
+  for (RunOutcome& run : outcome.runs)
+    judge_run(*baseline, run);
+}
+
+} // namespace settle::compare
