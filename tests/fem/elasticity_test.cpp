@@ -60,5 +60,12 @@ TEST(Hooke2D, IsTheThreeDimensionalLawWithNoStrainOutOfPlane) {
   EXPECT_LT((stiffness<2>(law) - in_plane<2>(stiffness<3>(law))).norm(), 1e-9);
 }
 
+TEST(SixComponents, AreXxYyZzXyYzXz) {
+  dealii::SymmetricTensor<2, 3> stress;
+  stress[0][0] = 1, stress[1][1] = 2, stress[2][2] = 3, stress[0][1] = 4, stress[1][2] = 5, stress[0][2] = 6;
+  const std::array<double, 6> expected{1, 2, 3, 4, 5, 6};
+  EXPECT_EQ(six_components(stress), expected);
+}
+
 } // namespace
 } // namespace settle::fem::testing

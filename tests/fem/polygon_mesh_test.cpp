@@ -86,6 +86,22 @@ TEST(PolygonMesh, DividesEdgesThatAreJoinedAlikeAndNoneMoreCoarselyThanAsked) {
   EXPECT_EQ(alone.cells.size(), 5U * 8U + 8U * 8U);
 }
 
+TEST(PolygonMesh, DividesTheShorterOfTwoOppositeEdgesLikeTheLonger) {
+  const Polygon trapezoid{.layer = 1, .corners = {{0, 0}, {1, 0}, {0.75, 1}, {0.25, 1}}};
+  EXPECT_EQ(mesh_polygons(case_of({trapezoid}, 0.25)).cells.size(), 4U * 5U); // sqrt(17)/4/0.25 = 4.1
+}
+
+/// Its parts on either side of the middles of its edges are divided like each other.
+TEST(PolygonMesh, FillsATriangleWhetherOrNotTheSizeGoesIntoItsEdgesAnOddNumberOfTimes) {
+  for (const double size : {0.2, 0.25, 0.3, 0.35}) { // sqrt(5)/size = 11.2, 8.9, 7.5, 6.4
+    const PlaneMesh mesh = mesh_polygons(case_of({triangle}, size));
+    double whole = 0.0;
+    for (const PlaneMesh::Cell& cell : mesh.cells)
+      whole += area(mesh, cell);
+    EXPECT_NEAR(whole, exchange::area(triangle), 1e-14) << size;
+  }
+}
+
 /// Every inner edge belongs to two cells, and what belongs to one is the outline.
 TEST(PolygonMesh, MeetsInWholeEdges) {
   const PlaneMesh mesh = mesh_polygons(case_of({square, slanted, triangle}, 0.2));

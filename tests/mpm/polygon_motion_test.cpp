@@ -103,6 +103,18 @@ TEST_P(BothIntegrations, ALinearMotionOfAllSidesIsReproducedInside) {
   EXPECT_LT(largest_error(study), 2e-11);
 }
 
+/// Each stage turns what is placed by the same small angle, so a layer has turned once for every stage it has seen.
+TEST_P(BothIntegrations, SupportsOfLayersMoveAStageByWhatTheirMotionGrowsInIt) {
+  const auto study = exchange::parse_case(square(all_sides("motion = 'exact'") +
+                                                 "[motion]\nlet = ['angle = 1e-6 * (stage - layer + 1)']\n"
+                                                 "displacement = ['-angle * Y', 'angle * X']\n"),
+                                          "turn.toml",
+                                          {"mpm.integration=" + GetParam(), "construction.layers=2",
+                                           "geometry.polygon=[{corners=[[0.0,0.0],[1.0,0.0],[1.0,0.5],[0.0,0.5]]},"
+                                           "{layer=2,corners=[[0.0,0.5],[1.0,0.5],[1.0,1.0],[0.0,1.0]]}]"});
+  EXPECT_LT(largest_error(study), 2e-11);
+}
+
 /// A free bar in uniform motion keeps its velocity to round-off, across cells and whatever the step.
 TEST_P(BothIntegrations, AUniformVelocityIsKept) {
   const auto study = exchange::parse_case(
