@@ -49,9 +49,13 @@ class ReportCommand : public Command {
 public:
   [[nodiscard]] std::string name() const override { return "report"; }
   [[nodiscard]] std::string purpose() const override { return "write the report of existing results again"; }
-  void declare(CLI::App& app) override { app.add_option("DIR", folder_, "folder of a run or campaign")->required(); }
+  void declare(CLI::App& app) override {
+    app.add_option("DIR", folder_, "folder of a run or campaign")->required();
+    app.add_flag("--no-fields", no_fields_, "without field pictures, which are some 40 kB each");
+  }
   ExitCode run(const std::string&) override {
-    const CampaignOutcome outcome = read_outcome(folder_);
+    CampaignOutcome outcome = read_outcome(folder_);
+    if (no_fields_) outcome.campaign.report.fields = false;
     write_report(outcome, folder_);
     fmt::print("report: {}\n", (std::filesystem::path(folder_) / "report.html").string());
     return exit_code_of(outcome.runs, outcome.families);
@@ -59,6 +63,7 @@ public:
 
 private:
   std::string folder_;
+  bool no_fields_ = false;
 };
 
 } // namespace

@@ -149,7 +149,7 @@ Plot plot_of(const Figure& figure, const CampaignOutcome& outcome) {
     return run != nullptr && is_body(run->study);
   });
   if (of_a_body) return line_plot_of(figure, outcome);
-  Plot plot{"fig-" + slug(figure.name), figure.title, figure.quantity, 0.0, {}, {}, {}, {}};
+  Plot plot{"fig-" + slug(figure.name), figure.title, figure.quantity, 0.0, {}, {}, {}, {}, {}};
   for (const Curve& curve : figure.curves) {
     if (const RunOutcome* run = outcome.find(curve.run)) plot.top = std::max(plot.top, run->study.geometry.height);
   }
