@@ -1,5 +1,6 @@
 /// \file
-/// Charts of a run's section: differences beside profiles, settlement over stages; keys and triangles that do not collide.
+/// Charts of a run's section: differences beside profiles, settlement over stages; keys and triangles that do not
+/// collide.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -56,8 +57,8 @@ TEST(DifferenceChart, ShowsMpmMinusFemAtProbes) {
   for (std::size_t layer = 0; layer < 5; ++layer)
     for (const ChartPoint& point : gap.pieces[layer]) {
       const double xi = point.y - double(layer);
-      const double expected = 1.01 * finite.at(int(layer) + 1, xi, 5).vertical_stress -
-                              small.at(int(layer) + 1, xi, 5).vertical_stress;
+      const double expected =
+          1.01 * finite.at(int(layer) + 1, xi, 5).vertical_stress - small.at(int(layer) + 1, xi, 5).vertical_stress;
       EXPECT_NEAR(point.x, -1e-3 * expected, 1e-9);
     }
 }

@@ -37,7 +37,8 @@ const std::array<PlanePoint, 4> skew{{{0.0, 0.0}, {2.0, 0.4}, {-0.3, 1.0}, {1.5,
 PlanePoint in_skew(double x, double y) {
   PlanePoint point{};
   for (std::size_t d = 0; d < 2; ++d)
-    point[d] = (1 - x) * (1 - y) * skew[0][d] + x * (1 - y) * skew[1][d] + (1 - x) * y * skew[2][d] + x * y * skew[3][d];
+    point[d] =
+        (1 - x) * (1 - y) * skew[0][d] + x * (1 - y) * skew[1][d] + (1 - x) * y * skew[2][d] + x * y * skew[3][d];
   return point;
 }
 
@@ -90,7 +91,8 @@ TEST(ElementPoints, HoldAFieldOfTheirDegreeEverywhereInTheElementAndNowhereElse)
   }
 }
 
-/// A finite element result of the column whose last stage has such elements, two a layer, settling by `settlement(height)`.
+/// A finite element result of the column whose last stage has such elements, two a layer, settling by
+/// `settlement(height)`.
 template <class Settlement>
 void put_elements(RunOutcome& run, const Settlement& settlement) {
   exchange::SamplePoints& points = run.solvers[1].result->stages.back().points;

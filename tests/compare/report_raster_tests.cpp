@@ -28,7 +28,8 @@ std::array<double, 3> oklab(const Colour& colour) {
   const double l = std::cbrt(0.4122214708 * r + 0.5363325363 * g + 0.0514459929 * b);
   const double m = std::cbrt(0.2119034982 * r + 0.6806995451 * g + 0.1073969566 * b);
   const double s = std::cbrt(0.0883024619 * r + 0.2817188376 * g + 0.6299787005 * b);
-  return {0.2104542553 * l + 0.7936177850 * m - 0.0040720468 * s, 1.9779984951 * l - 2.4285922050 * m + 0.4505937099 * s,
+  return {0.2104542553 * l + 0.7936177850 * m - 0.0040720468 * s,
+          1.9779984951 * l - 2.4285922050 * m + 0.4505937099 * s,
           0.0259040371 * l + 0.7827717662 * m - 0.8086757660 * s};
 }
 
@@ -50,8 +51,8 @@ TEST(ColourMap, HasEqualStepsThatLookEqual) {
   constexpr int steps = 16;
   double least = 1.0, most = 0.0;
   for (int i = 0; i < steps; ++i) {
-    const double step = distance(colour_at(ColourMap::even, double(i) / steps),
-                                 colour_at(ColourMap::even, double(i + 1) / steps));
+    const double step =
+        distance(colour_at(ColourMap::even, double(i) / steps), colour_at(ColourMap::even, double(i + 1) / steps));
     least = std::min(least, step);
     most = std::max(most, step);
   }
@@ -149,7 +150,8 @@ TEST(Png, BecomesAnAddress) {
 }
 
 TEST(ChartFrame, HasRoundValuesWithinTheAxis) {
-  EXPECT_THAT(round_values(0.0, 0.3232, 6), testing::ElementsAre(0.0, 0.1, testing::DoubleEq(0.2), testing::DoubleEq(0.3)));
+  EXPECT_THAT(round_values(0.0, 0.3232, 6),
+              testing::ElementsAre(0.0, 0.1, testing::DoubleEq(0.2), testing::DoubleEq(0.3)));
   EXPECT_THAT(round_values(-3.0, 3.0, 4), testing::ElementsAre(-2.0, 0.0, 2.0));
   EXPECT_EQ(round_values(5.0, 5.0, 4).size(), 1U);
 }

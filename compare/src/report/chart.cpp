@@ -38,8 +38,9 @@ std::string series_svg(const ChartSeries& series, const ChartAxis& x, const Char
       path += fmt::format("{}{} {}{}", i == 0 || !series.line ? "M" : "L", coordinate(x.pixel(piece[i].x)),
                           coordinate(y.pixel(piece[i].y)), series.line ? "" : "h0");
   }
-  const std::string pen = series.line ? fmt::format("stroke-width=\"1.5\"{}", series.dashed ? " stroke-dasharray=\"6 4\"" : "")
-                                      : std::string("stroke-width=\"5\" stroke-linecap=\"round\"");
+  const std::string pen = series.line
+                              ? fmt::format("stroke-width=\"1.5\"{}", series.dashed ? " stroke-dasharray=\"6 4\"" : "")
+                              : std::string("stroke-width=\"5\" stroke-linecap=\"round\"");
   return fmt::format(R"(<path d="{}" fill="none" stroke="{}" {}/>)", path, series.colour, pen);
 }
 

@@ -1,5 +1,6 @@
 /// \file
-/// A small chart written as SVG directly: a few kilobytes, beside the figures that gnuplot draws and as tall as they are.
+/// A small chart written as SVG directly: a few kilobytes, beside the figures that gnuplot draws and as tall as they
+/// are.
 #pragma once
 
 #include <string>
@@ -15,9 +16,9 @@ struct ChartPoint {
 
 struct ChartSeries {
   std::string label;
-  std::string colour;   ///< "#0072B2"
-  bool line = false;    ///< a line, else spots
-  bool dashed = false;  ///< of a line
+  std::string colour;                          ///< "#0072B2"
+  bool line = false;                           ///< a line, else spots
+  bool dashed = false;                         ///< of a line
   std::vector<std::vector<ChartPoint>> pieces; ///< never joined; all finite
 };
 

@@ -12,7 +12,7 @@ namespace settle::compare::report {
 
 namespace {
 
-constexpr double tic = 4.0;             // pixels
+constexpr double tic = 4.0;              // pixels
 constexpr double pixels_of_label = 52.0; // room that a label along a horizontal axis takes
 constexpr double pixels_of_row = 34.0;
 

@@ -14,9 +14,7 @@ struct ChartAxis {
   std::string title{};
   std::string unit{};
 
-  [[nodiscard]] double pixel(double value) const {
-    return from + (to - from) * (value - lowest) / (highest - lowest);
-  }
+  [[nodiscard]] double pixel(double value) const { return from + (to - from) * (value - lowest) / (highest - lowest); }
 };
 
 /// Round values (1, 2, 5 times a power of ten apart) on an axis, `most` or fewer.

@@ -79,7 +79,10 @@ void add_error(const Place& place, const SolverRun& solver, Chart& chart) {
     samples.value[c] -= values[c];
   if (as_placed) use_design_heights(samples, place.run.study, kinematics);
   const CurveStyle style = style_of(solver.solver);
-  add_series({.label = label, .colour = style.colour, .line = false, .dashed = false,
+  add_series({.label = label,
+              .colour = style.colour,
+              .line = false,
+              .dashed = false,
               .pieces = pieces_of(place.profile(samples))},
              chart);
 }
@@ -92,15 +95,17 @@ void add_gap(const Place& place, Chart& chart) {
     const auto& probes = result->stages.back().probes;
     if (place.line.empty()) return probe_samples(result->stages.back(), result->used.dimension, place.quantity);
     const auto found = probes.find(place.line);
-    return found != probes.end() ? line_samples(found->second, result->used.dimension, place.quantity)
-                                 : FieldSamples{};
+    return found != probes.end() ? line_samples(found->second, result->used.dimension, place.quantity) : FieldSamples{};
   };
   FieldSamples mpm = probes_of("mpm");
   const FieldSamples fem = probes_of("fem");
   if (mpm.size() == 0 || mpm.layer != fem.layer || mpm.value.size() != fem.value.size()) return;
   for (std::size_t c = 0; c < mpm.value.size(); ++c)
     mpm.value[c] -= fem.value[c];
-  add_series({.label = "MPM − FEM, probes", .colour = "#000000", .line = true, .dashed = false,
+  add_series({.label = "MPM − FEM, probes",
+              .colour = "#000000",
+              .line = true,
+              .dashed = false,
               .pieces = pieces_of(place.profile(mpm))},
              chart);
 }
@@ -110,8 +115,7 @@ Chart chart_of(const Place& place) {
   const bool is_tensor_or_vector = place.quantity == Quantity::displacement || place.quantity == Quantity::stress;
   Chart chart;
   chart.title = fmt::format("{}: differences, {}, last stage", axis.title, place.run.name);
-  chart.x.title = fmt::format("Difference of {}{}", name_of(place.quantity),
-                              is_tensor_or_vector ? ", norm" : "");
+  chart.x.title = fmt::format("Difference of {}{}", name_of(place.quantity), is_tensor_or_vector ? ", norm" : "");
   chart.x.unit = axis.unit;
   chart.keeps_y = true;
   for (const SolverRun& solver : place.run.solvers) {
@@ -130,7 +134,10 @@ Chart chart_of(const Place& place) {
 
 Chart difference_chart(const RunOutcome& run, Quantity quantity) {
   Chart chart = chart_of({run, quantity, {}});
-  chart.y = {.lowest = 0.0, .highest = 1.02 * run.study.geometry.height, .title = "Height in the design geometry", .unit = "m"};
+  chart.y = {.lowest = 0.0,
+             .highest = 1.02 * run.study.geometry.height,
+             .title = "Height in the design geometry",
+             .unit = "m"};
   return chart;
 }
 
@@ -139,7 +146,8 @@ Chart difference_chart(const RunOutcome& run, const std::string& line, Quantity 
   const exchange::Probes& probes = run.study.probes.at(line);
   chart.title = fmt::format("{}: differences along probes.{}, {}, last stage", axis_of(quantity).title, line, run.name);
   const double length = std::hypot(probes.to[0] - probes.from[0], probes.to[1] - probes.from[1]);
-  chart.y = {.lowest = 0.0, .highest = 1.02 * length, .title = fmt::format("Distance along probes.{}", line), .unit = "m"};
+  chart.y = {
+      .lowest = 0.0, .highest = 1.02 * length, .title = fmt::format("Distance along probes.{}", line), .unit = "m"};
   return chart;
 }
 

@@ -1,6 +1,6 @@
 /// \file
-/// Finite elements told from their quadrature points (docs/fem.md: listed element by element, id = element x points of an
-/// element + point, in the order of a tensor product of Gauss points). Positions and displacements of an element are
+/// Finite elements told from their quadrature points (docs/fem.md: listed element by element, id = element x points of
+/// an element + point, in the order of a tensor product of Gauss points). Positions and displacements of an element are
 /// polynomials of the degree of its shape functions, so that its Gauss points say where its corners are.
 #pragma once
 
@@ -22,8 +22,8 @@ int points_along_edge(const exchange::Case& study);
 /// Do the points come in elements of so many along each edge, in the plane?
 bool come_in_elements(const exchange::SamplePoints& points, int along_edge);
 
-/// What each quadrature point stands for, corners around it: its element, divided where the weights of the points before
-/// it sum up to. `positions`: (n, 2) of all points [m]; they come in elements.
+/// What each quadrature point stands for, corners around it: its element, divided where the weights of the points
+/// before it sum up to. `positions`: (n, 2) of all points [m]; they come in elements.
 std::vector<Quadrilateral> parts_of_elements(const std::vector<double>& positions, int along_edge);
 
 /// A field between the quadrature points of elements, each for itself.

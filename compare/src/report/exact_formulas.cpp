@@ -84,14 +84,13 @@ Formula lateral_stress(Law law) {
 Formulas finite_column(const Case& study) {
   Formulas formulas = of_law(study.fill().law);
   append(formulas, of_convention(study.construction.convention));
-  append(formulas,
-         {{"W_j = B_j - B_{k-1} - gamma_0 * xi * h_k",
-           "overburden after stage j of the point at the share ξ of the height of layer k as placed"},
-          {"sigma_v = -W_j", "vertical stress: equilibrium is exact on mass"},
-          {"delta_j = a_k + xi * h_k - (Lambda(B_j) - Lambda(W_j)) / gamma_0",
-           "settlement since placement: placed height minus height now"},
-          lateral_stress(study.fill().law),
-          {"rho = rho_0 / lambda", "density"}});
+  append(formulas, {{"W_j = B_j - B_{k-1} - gamma_0 * xi * h_k",
+                     "overburden after stage j of the point at the share ξ of the height of layer k as placed"},
+                    {"sigma_v = -W_j", "vertical stress: equilibrium is exact on mass"},
+                    {"delta_j = a_k + xi * h_k - (Lambda(B_j) - Lambda(W_j)) / gamma_0",
+                     "settlement since placement: placed height minus height now"},
+                    lateral_stress(study.fill().law),
+                    {"rho = rho_0 / lambda", "density"}});
   return formulas;
 }
 
@@ -115,10 +114,10 @@ std::vector<FormulaGroup> of_a_column(const RunOutcome& run) {
   std::vector<FormulaGroup> groups{symbols_of_a_column()};
   const auto finite = solvers_of(run, Kinematics::finite), small = solvers_of(run, Kinematics::small);
   if (!finite.empty())
-    groups.push_back({fmt::format("Finite strain, law “{}”, built by “{}”: what {} solves",
-                                  name_of(run.study.fill().law), name_of(run.study.construction.convention),
-                                  fmt::join(finite, " and ")),
-                      finite_column(run.study)});
+    groups.push_back(
+        {fmt::format("Finite strain, law “{}”, built by “{}”: what {} solves", name_of(run.study.fill().law),
+                     name_of(run.study.construction.convention), fmt::join(finite, " and ")),
+         finite_column(run.study)});
   if (!small.empty())
     groups.push_back({fmt::format("Small strain: what {} solves", fmt::join(small, " and ")), small_column()});
   return groups;
@@ -143,8 +142,10 @@ std::vector<FormulaGroup> of_a_motion(const exchange::Motion& motion) {
     abbreviations.push_back({text, ""});
   std::vector<FormulaGroup> groups{{"What the case states to be exact of the point placed at (X, Y)", known}};
   if (!driven.empty()) groups.push_back({"Its motion in time, and what drives it", driven});
-  if (!abbreviations.empty()) groups.push_back({"Abbreviations; λ and μ are Lamé’s constants, layer is the point’s, stage counts the layers placed",
-                      abbreviations});
+  if (!abbreviations.empty())
+    groups.push_back(
+        {"Abbreviations; λ and μ are Lamé’s constants, layer is the point’s, stage counts the layers placed",
+         abbreviations});
   return groups;
 }
 

@@ -56,9 +56,10 @@ FieldLeg difference_of(const Case& study, const Result& of_mpm, const Result& of
     leg.range.include(spot.value);
   }
   if (leg.spots.size() < mpm.size())
-    missing.push_back(fmt::format("MPM − FEM: {} of {} material points have no difference: no element holds them, or one "
-                                  "of the two has no value there",
-                                  mpm.size() - leg.spots.size(), mpm.size()));
+    missing.push_back(
+        fmt::format("MPM − FEM: {} of {} material points have no difference: no element holds them, or one "
+                    "of the two has no value there",
+                    mpm.size() - leg.spots.size(), mpm.size()));
   leg.drawn = fmt::format("at {} material points", leg.spots.size());
   return leg;
 }

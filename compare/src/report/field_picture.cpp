@@ -119,8 +119,9 @@ void add_remarks(const RunOutcome& run, FieldPicture& picture) {
   };
   const bool any_frozen = std::any_of(run.solvers.begin(), run.solvers.end(), frozen);
   if (any_frozen && run.study.construction.layers > 1)
-    picture.remarks.emplace_back("With small strain a layer is placed where it is designed: between two layers lies the "
-                                 "gap that had settled before the upper one came.");
+    picture.remarks.emplace_back(
+        "With small strain a layer is placed where it is designed: between two layers lies the "
+        "gap that had settled before the upper one came.");
   const Result* mpm = run.result_of("mpm");
   const bool refilled = mpm != nullptr && !mpm->stages.empty() &&
                         std::any_of(mpm->stages.back().points.refilled.begin(),
@@ -147,8 +148,7 @@ void ValueRange::include(const ValueRange& other) {
 
 PlaneBox widest_view(const Case& study) {
   const PlaneBox design = design_box(study);
-  const double around =
-      0.5 * std::max(design.highest[0] - design.lowest[0], design.highest[1] - design.lowest[1]);
+  const double around = 0.5 * std::max(design.highest[0] - design.lowest[0], design.highest[1] - design.lowest[1]);
   return {.lowest = {design.lowest[0] - around, design.lowest[1] - around},
           .highest = {design.highest[0] + around, design.highest[1] + around}};
 }

@@ -53,8 +53,8 @@ struct FieldPicture {
   std::vector<std::string> remarks;   ///< a sentence for whatever has to be known to read it
 };
 
-/// A run's last stage. Solvers without points of their own, points without a finite value or position, and points far off
-/// are not drawn and said to be missing. In 3-D a vertical cut through the middle.
+/// A run's last stage. Solvers without points of their own, points without a finite value or position, and points far
+/// off are not drawn and said to be missing. In 3-D a vertical cut through the middle.
 FieldPicture field_picture_of(const RunOutcome& run, exchange::Quantity quantity);
 
 /// What a picture shows: the design geometry and all that is drawn, but nothing further from the former than half its

@@ -24,7 +24,7 @@ constexpr double bar_width = 260.0, bar_height = 14.0, bar_margin = 26.0;
 // Of the image in one of the page: for screens and print that show more, as far as the image stays small.
 constexpr std::array finenesses{2.0, 1.4, 1.0};
 constexpr std::size_t small_image = 18000; // characters
-constexpr int colours = 128;          // neighbours cannot be told apart
+constexpr int colours = 128;               // neighbours cannot be told apart
 
 std::vector<Colour> palette_of(ColourMap map) {
   std::vector<Colour> palette{{255, 255, 255}}; // the background, transparent
@@ -133,8 +133,7 @@ double panel_width(const PanelFrame& frame) {
   return left + frame.width + right;
 }
 
-std::string colour_bar_svg(const ValueRange& scale, ColourMap map, const std::string& title,
-                           const std::string& unit) {
+std::string colour_bar_svg(const ValueRange& scale, ColourMap map, const std::string& title, const std::string& unit) {
   const ValueRange shown = drawn_scale(scale);
   const ChartAxis axis{.lowest = shown.lowest,
                        .highest = shown.highest,

@@ -12,10 +12,10 @@ namespace settle::compare::report {
 
 /// What all panels of a picture have in common.
 struct PanelFrame {
-  exchange::PlaneBox view{};                            ///< [m]
+  exchange::PlaneBox view{};                             ///< [m]
   std::vector<std::vector<exchange::PlanePoint>> design; ///< outlines of the design geometry [m]
-  double width = 0, height = 0;                         ///< of the plot [pixels]
-  double stretch = 1;                                   ///< how many times as large the width is drawn as the height
+  double width = 0, height = 0;                          ///< of the plot [pixels]
+  double stretch = 1;                                    ///< how many times as large the width is drawn as the height
 };
 
 /// The frame of a run's picture, within so many pixels; what is slender is drawn wider than it is.

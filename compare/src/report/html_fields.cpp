@@ -35,7 +35,7 @@ data group(const std::vector<const FieldLeg*>& legs, const PanelFrame& frame, co
   for (const FieldLeg* leg : legs) {
     data panel("title", leg->title);
     panel.set("drawn", leg->drawn);
-    panel.set("width", fmt::format("{:.0f}", std::max(150.0, panel_width(frame))));
+    panel.set("width", fmt::format("{:.0f}", std::max(140.0, panel_width(frame))));
     panel.set("svg", panel_svg(frame, *leg, scale, map, fmt::format("{}. {}", quantity, range_text(*leg, unit))));
     panels.push_back(panel);
   }

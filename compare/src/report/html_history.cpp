@@ -58,8 +58,8 @@ double exact_largest(const RunOutcome& run, Kinematics kinematics, int stage) {
     const FieldSamples samples = point_samples(state, 2, Quantity::settlement);
     std::vector<double> values;
     for (std::size_t i = 0; i < samples.size(); ++i)
-      append_field(exact->at({samples.layer[i], samples.x[i], samples.height[i], true}, stage), 2,
-                   Quantity::settlement, values);
+      append_field(exact->at({samples.layer[i], samples.x[i], samples.height[i], true}, stage), 2, Quantity::settlement,
+                   values);
     if (!values.empty()) return largest(values);
   }
   return std::nan("");
@@ -93,8 +93,11 @@ std::vector<History> of_exact(const RunOutcome& run, std::vector<std::string>& m
 
 ChartSeries series_of(const History& history) {
   const CurveStyle style = style_of(history.source);
-  ChartSeries series{.label = history.label, .colour = style.colour, .line = style.line,
-                     .dashed = style.line && style.dash_type != 1, .pieces = {{}}};
+  ChartSeries series{.label = history.label,
+                     .colour = style.colour,
+                     .line = style.line,
+                     .dashed = style.line && style.dash_type != 1,
+                     .pieces = {{}}};
   for (std::size_t i = 0; i < history.values.size(); ++i)
     series.pieces[0].push_back({static_cast<double>(i + 1), history.values[i]});
   return series;
@@ -145,8 +148,8 @@ std::string history_html(const CampaignOutcome& outcome, const RunOutcome& run) 
   chart.title = fmt::format("Largest settlement after each stage, {}", run.name);
   chart.x = {.title = "Stage"};
   chart.y = {.title = "Largest settlement since placement", .unit = "m"};
-  return chart_html(std::move(chart)) +
-         "<details open><summary>Largest settlement in numbers</summary>" + html_of(table_of(histories)) + "</details>";
+  return chart_html(std::move(chart)) + "<details open><summary>Largest settlement in numbers</summary>" +
+         html_of(table_of(histories)) + "</details>";
 }
 
 } // namespace settle::compare::report

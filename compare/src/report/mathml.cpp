@@ -39,10 +39,9 @@ std::string operand(const FormulaNode& node, int held) {
 /// The sign of a Greek letter by its name; empty for any other name.
 std::string greek(const std::string& name) {
   static const std::map<std::string, std::string> letters{
-      {"alpha", "α"}, {"beta", "β"},  {"gamma", "γ"},  {"delta", "δ"},  {"eps", "ε"},    {"epsilon", "ε"},
-      {"eta", "η"},   {"theta", "θ"}, {"kappa", "κ"},  {"lambda", "λ"}, {"Lambda", "Λ"}, {"mu", "μ"},
-      {"nu", "ν"},    {"xi", "ξ"},    {"pi", "π"},     {"rho", "ρ"},    {"sigma", "σ"},  {"tau", "τ"},
-      {"phi", "φ"},   {"omega", "ω"}};
+      {"alpha", "α"}, {"beta", "β"},  {"gamma", "γ"},  {"delta", "δ"},  {"eps", "ε"}, {"epsilon", "ε"}, {"eta", "η"},
+      {"theta", "θ"}, {"kappa", "κ"}, {"lambda", "λ"}, {"Lambda", "Λ"}, {"mu", "μ"},  {"nu", "ν"},      {"xi", "ξ"},
+      {"pi", "π"},    {"rho", "ρ"},   {"sigma", "σ"},  {"tau", "τ"},    {"phi", "φ"}, {"omega", "ω"}};
   const auto found = letters.find(name);
   return found != letters.end() ? found->second : std::string();
 }
@@ -82,16 +81,16 @@ std::string product(const FormulaNode& node) {
 
 /// A function is raised as a whole: sin(x)^2; whatever binds less than a name stands in parentheses.
 std::string power(const FormulaNode& node) {
-  const bool is_simple = node.parts[0].kind != Kind::binary && node.parts[0].kind != Kind::sign &&
-                         node.parts[0].kind != Kind::choice;
+  const bool is_simple =
+      node.parts[0].kind != Kind::binary && node.parts[0].kind != Kind::sign && node.parts[0].kind != Kind::choice;
   const std::string base = is_simple ? row(node.parts[0]) : in_parentheses(node.parts[0]);
   return tag("msup", base + row(node.parts[1]));
 }
 
 std::string binary(const FormulaNode& node) {
-  static const std::map<std::string, std::string> signs{{"-", "−"},    {"<", "&lt;"}, {">", "&gt;"}, {"<=", "≤"},
-                                                        {">=", "≥"},   {"==", "="},   {"!=", "≠"},   {"&&", "and"},
-                                                        {"||", "or"}};
+  static const std::map<std::string, std::string> signs{{"-", "−"},  {"<", "&lt;"}, {">", "&gt;"},
+                                                        {"<=", "≤"}, {">=", "≥"},   {"==", "="},
+                                                        {"!=", "≠"}, {"&&", "and"}, {"||", "or"}};
   if (node.text == "*") return product(node);
   if (node.text == "/") return tag("mfrac", row(node.parts[0]) + row(node.parts[1]));
   if (node.text == "^") return power(node);
@@ -126,9 +125,8 @@ std::string choice(const FormulaNode& node) {
   const auto line = [](const std::string& value, const std::string& when) {
     return tag("mtr", tag("mtd", value) + tag("mtd", when));
   };
-  const std::string lines =
-      line(typeset(node.parts[1]), tag("mtext", "if ") + typeset(node.parts[0])) +
-      line(typeset(node.parts[2]), tag("mtext", "otherwise"));
+  const std::string lines = line(typeset(node.parts[1]), tag("mtext", "if\u00a0") + typeset(node.parts[0])) +
+                            line(typeset(node.parts[2]), tag("mtext", "otherwise"));
   return tag("mrow", sign("{") + tag("mtable", lines));
 }
 

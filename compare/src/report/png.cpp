@@ -25,8 +25,7 @@ const Bytef* bytes_of(const std::string& text) {
 std::string chunk(const std::string& name, const std::string& content) {
   const std::string checked = name + content;
   const uLong sum = crc32(crc32(0, nullptr, 0), bytes_of(checked), static_cast<uInt>(checked.size()));
-  return big_endian(static_cast<std::uint32_t>(content.size())) + checked +
-         big_endian(static_cast<std::uint32_t>(sum));
+  return big_endian(static_cast<std::uint32_t>(content.size())) + checked + big_endian(static_cast<std::uint32_t>(sum));
 }
 
 /// Every row after the filter "none", which suits a palette.
