@@ -41,7 +41,7 @@ private:
 };
 
 std::string svg_of(const Plot& plot) {
-  return inline_svg(run_gnuplot(gnuplot_script(plot)), plot.id, plot.title);
+  return inline_svg(run_gnuplot({gnuplot_script(plot)}).front(), plot.id, plot.title);
 }
 
 TEST(Profiles, LeaveOutRefilledPointsAndAverageAtOneHeight) {
@@ -222,7 +222,7 @@ TEST(Gnuplot, MissingIsAnErrorThatSaysWhatToInstall) {
 
 TEST(Gnuplot, FailingIsAnErrorWithItsMessage) {
   try {
-    run_gnuplot("this is no gnuplot\n");
+    run_gnuplot({"this is no gnuplot\n"});
     FAIL() << "gnuplot accepted nonsense";
   } catch (const exchange::FileError& error) {
     EXPECT_THAT(error.what(), HasSubstr("invalid command"));

@@ -78,8 +78,8 @@ void append_rows(const RunOutcome& run, const document::Table& table, const json
 Table parameter_table(const RunOutcome& run) {
   Table rows{
       "Parameters, defaults filled in", {{"Key", "", false}, {"Value", "", false}, {"Meaning [unit]", "", false}}, {}};
-  append_rows(run, document::parse(exchange::to_toml(run.study), run.study.file), json::parse(exchange::case_schema()),
-              "", rows);
+  static const json schema = json::parse(exchange::case_schema());
+  append_rows(run, document::parse(exchange::to_toml(run.study), run.study.file), schema, "", rows);
   return rows;
 }
 

@@ -1,8 +1,11 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include "drawing.hpp"
 #include "figure_data.hpp"
 #include "format.hpp"
 #include "html_parts.hpp"
+#include "parallel.hpp"
 #include "reported_verdicts.hpp"
 #include "templates.hpp"
 
@@ -36,11 +39,10 @@ std::string campaign_figures(const CampaignOutcome& outcome) {
   return html;
 }
 
-std::string runs(const CampaignOutcome& outcome) {
-  std::string html;
-  for (const RunOutcome& run : outcome.runs)
-    html += run_html(outcome, run);
-  return html;
+std::string runs(const CampaignOutcome& outcome, int jobs) {
+  std::vector<std::string> sections(outcome.runs.size());
+  parallel_for(sections.size(), jobs, [&](std::size_t i) { sections[i] = run_html(outcome, outcome.runs[i]); });
+  return fmt::format("{}", fmt::join(sections, ""));
 }
 
 data provenance(const CampaignOutcome& outcome) {
@@ -53,7 +55,8 @@ data provenance(const CampaignOutcome& outcome) {
 
 } // namespace
 
-std::string html_report(const CampaignOutcome& outcome) {
+std::string html_report(const CampaignOutcome& outcome, int jobs) {
+  const int threads = jobs > 0 ? jobs : cores();
   const std::vector<Verdict> verdicts = all_verdicts(outcome);
   const Status status = worst(verdicts);
   const std::string figures = campaign_figures(outcome);
@@ -73,10 +76,10 @@ std::string html_report(const CampaignOutcome& outcome) {
   page.set("published", published.empty() ? data(false) : data(published));
   const std::string families = families_html(outcome);
   page.set("families", families.empty() ? data(false) : data(families));
-  page.set("runs", runs(outcome));
+  page.set("runs", runs(outcome, threads));
   page.set("command", printable(outcome.command));
   page.set("provenance", provenance(outcome));
-  return render(templates::page, page);
+  return with_figures(render(templates::page, page), threads);
 }
 
 } // namespace settle::compare

@@ -12,11 +12,12 @@ namespace settle::compare {
 /// Writes report.html, summary.md, verdicts.json and junit.xml into `directory`, which is created where needed.
 /// The same outcome gives the same bytes. What machines read is written first, so it is there even if the page fails.
 /// Throws FileError where a file cannot be written, or gnuplot, which draws the figures, is missing or fails.
-void write_report(const CampaignOutcome& outcome, const std::filesystem::path& directory);
+/// `jobs`: threads and gnuplots at a time; 0: as many as there are cores.
+void write_report(const CampaignOutcome& outcome, const std::filesystem::path& directory, int jobs = 0);
 
 /// The whole report as one self-contained page: style and figures (SVG) inside, no script, nothing loaded.
 /// Throws FileError where gnuplot is missing or fails.
-std::string html_report(const CampaignOutcome& outcome);
+std::string html_report(const CampaignOutcome& outcome, int jobs = 0);
 
 /// A short Markdown summary, as the job page of a CI service shows it.
 std::string summary_markdown(const CampaignOutcome& outcome);
