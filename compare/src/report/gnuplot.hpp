@@ -24,8 +24,9 @@ std::string gnuplot_canvas(std::size_t legend_rows, int left_margin);
 /// their order. Throws FileError where gnuplot is missing or fails.
 std::vector<std::string> run_gnuplot(const std::vector<std::string>& scripts);
 
-/// gnuplot's SVG made fit to stand inside a page: no XML header, `title` as its accessible name, every id prefixed with
-/// `prefix` so that no two figures share one, what draws nothing left out. Throws FileError for what is no SVG.
+/// gnuplot's SVG made fit to stand inside a page: written anew without ids (svg_shapes.hpp), `title` as its accessible
+/// name. One with elements that are not known there is kept, every id prefixed with `prefix` so that no two figures
+/// share one, what draws nothing left out. Throws FileError for what is no SVG.
 std::string inline_svg(const std::string& svg, const std::string& prefix, const std::string& title);
 
 } // namespace settle::compare::report

@@ -33,6 +33,8 @@ struct Verdict {
   std::string why{};     ///< the reason for the limit
   std::string where{};   ///< `file:line:column` of the check in its case, or the case file; empty where not known
   std::string message{}; ///< what happened, in a sentence, where the status is not "passed"
+  std::string quantity{}; ///< what is compared or conserved: "settlement", "mass"; empty for what concerns a whole run
+  std::string leg{};      ///< whose: "mpm - exact", or "mpm" where it is about one solver alone; empty for neither
 
   explicit operator bool() const = delete;
 };
