@@ -136,7 +136,8 @@ TEST(Csv, QuotesWhatWouldBreakALineAndLeavesOutWhatIsNoNumber) {
 TEST(Csv, HasTheKeyFiguresOfEverySolver) {
   const auto table = table_of(figures_csv(synthetic_campaign({.runs = 1})));
   ASSERT_EQ(table.size(), 10U); // five figures of mpm, four of fem, which refills nothing
-  EXPECT_EQ(table[0], (std::vector<std::string>{"case", "source", "figure", "unit", "value", "exact", "relative_difference"}));
+  EXPECT_EQ(table[0],
+            (std::vector<std::string>{"case", "source", "figure", "unit", "value", "exact", "relative_difference"}));
   for (const auto& line : table)
     EXPECT_EQ(line.size(), 7U);
 }

@@ -64,7 +64,8 @@ TEST(Page, LoadsNothingFromOutside) {
     EXPECT_THAT(page, Not(HasSubstr(part)));
   }
   EXPECT_EQ(occurrences(page, "<script"), 1U); // its own, which its content security policy names by its hash
-  EXPECT_THAT(page, HasSubstr("content=\"default-src 'none'; style-src 'unsafe-inline'; img-src data:; script-src 'sha256-"));
+  EXPECT_THAT(page,
+              HasSubstr("content=\"default-src 'none'; style-src 'unsafe-inline'; img-src data:; script-src 'sha256-"));
   for (const std::string& address : attributes(page, "href"))
     EXPECT_THAT(address, testing::StartsWith("#"));
   EXPECT_TRUE(attributes(page, "src").empty());
@@ -180,7 +181,7 @@ TEST(Page, ShowsChecksInPercentAndAuditsAsTheyAre) {
   const std::string page = html_report(outcome);
   EXPECT_THAT(page, HasSubstr(">98.7 % … 101 %<"));
   EXPECT_THAT(page, HasSubstr(">1 %<")); // 0.013 of 1.013 are left on either side
-  EXPECT_THAT(page, HasSubstr("data-label=\"Accepted\">5<"));
+  EXPECT_THAT(page, HasSubstr("<td>5<td>5<td>"));
 }
 
 TEST(Page, MarksRunsThatAreOutOfEquilibrium) {

@@ -11,7 +11,7 @@ namespace settle::compare::report {
 
 struct CaseEntry {
   std::string name;
-  std::string anchor; ///< of its section
+  std::string anchor;              ///< of its section
   const RunOutcome* run = nullptr; ///< nothing for a family
   std::vector<Verdict> verdicts;
   Status status = Status::missing; ///< the worst

@@ -19,7 +19,8 @@ data data_of(const Column& column) {
 data data_of(const Cell& cell, const Column& column, bool heading, const Table& table) {
   data entry;
   entry.set("heading", heading);
-  entry.set("label", table.stacks && column.numeric ? data(column.title) : data(false));
+  const bool labelled = table.stacks && column.numeric && table.labels_cells;
+  entry.set("label", labelled ? data(column.title) : data(false));
   entry.set("text", printable(cell.text));
   entry.set("badge", text_or_nothing(cell.badge));
   entry.set("link", text_or_nothing(cell.link));
@@ -30,10 +31,11 @@ data data_of(const Cell& cell, const Column& column, bool heading, const Table& 
 /// "n2 n5": which columns are numeric. Said once: a class on every cell would be a third of a table's length.
 std::string classes_of(const Table& table) {
   std::string classes = table.kind;
-  if (table.stacks) classes += " stacks";
-  if (table.sorts) classes += " sorts";
+  const auto add = [&](const std::string& name) { classes += (classes.empty() ? "" : " ") + name; };
+  if (table.stacks) add("stacks");
+  if (table.sorts) add("sorts");
   for (std::size_t i = 0; i < table.columns.size(); ++i) {
-    if (table.columns[i].numeric) classes += fmt::format(" n{}", i + 1);
+    if (table.columns[i].numeric) add(fmt::format("n{}", i + 1));
   }
   return classes;
 }

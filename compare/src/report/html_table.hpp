@@ -37,6 +37,7 @@ struct Table {
   std::string id = "";                 ///< of the table; none if empty
   std::string kind = "";               ///< class of its own for the style sheet
   bool sorts = false;                  ///< the script may sort its rows by a column
+  bool labels_cells = true;            ///< stacked cells say their column; else the style sheet says it for this kind
   std::vector<std::string> marks = {}; ///< attributes of each row, for the script; none if empty
 };
 

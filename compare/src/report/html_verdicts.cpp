@@ -56,7 +56,7 @@ std::string anchor_of(const CampaignOutcome& outcome, const Family& family) {
 }
 
 Table verdict_table(const std::vector<Verdict>& verdicts, const Facets& facets) {
-  Table table{"Verdicts. " + reading,
+  Table table{"Verdicts, what did not pass first",
               {{"What", "", false},
                {"Verdict", "", false},
                {"Value", "", true},
@@ -66,7 +66,9 @@ Table verdict_table(const std::vector<Verdict>& verdicts, const Facets& facets) 
               {},
               true,
               "",
-              "verdicts"};
+              "verdicts",
+              false,
+              false};
   for (const Verdict& verdict : worst_first(verdicts)) {
     table.rows.push_back(verdict_row(verdict));
     table.marks.push_back(fmt::format("data-f=\"{}\"", facets.mark_of(verdict)));

@@ -7,9 +7,9 @@ namespace settle::compare::report {
 std::vector<KeyFigure> key_figures_of(const CampaignOutcome& outcome) {
   std::vector<KeyFigure> figures;
   const auto add = [&](const RunOutcome& run, const std::string& source) {
-    for (const Statistic statistic : {Statistic::max_settlement, Statistic::max_vertical_stress,
-                                      Statistic::mean_density, Statistic::base_reaction_stress,
-                                      Statistic::refilled_points}) {
+    for (const Statistic statistic :
+         {Statistic::max_settlement, Statistic::max_vertical_stress, Statistic::mean_density,
+          Statistic::base_reaction_stress, Statistic::refilled_points}) {
       const double value = measured(run, source, statistic);
       if (std::isfinite(value))
         figures.push_back({run.name, source, statistic, value, exact_value(run, source, statistic)});

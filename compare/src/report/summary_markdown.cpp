@@ -95,7 +95,8 @@ std::string key_figures(const CampaignOutcome& outcome) {
 std::string matrix(const CampaignOutcome& outcome) {
   const std::vector<CaseEntry> cases = case_entries(outcome);
   const Facets facets = facets_of(cases);
-  std::string text = "## Cases and legs\n\nHow many verdicts passed of all, with the sign of the worst.\n\n| case | verdict |";
+  std::string text =
+      "## Cases and legs\n\nHow many verdicts passed of all, with the sign of the worst.\n\n| case | verdict |";
   std::string rule = "\n|---|---|";
   for (const std::string& leg : facets.legs) {
     text += fmt::format(" {} |", cell(Facets::title_of_leg(leg)));

@@ -20,7 +20,7 @@ using pugi::xml_node;
 
 /// What is seen of one look: lines, or texts.
 struct Shape {
-  std::string look;          ///< attributes of what is written
+  std::string look; ///< attributes of what is written
   std::vector<SvgLine> lines;
   std::string texts; ///< elements; empty for lines
 };
@@ -148,8 +148,8 @@ private:
   }
 
   Glyph glyph_of(const std::string& reference) {
-    const xml_node definition =
-        definitions_.find_child_by_attribute("id", reference.substr(std::min<std::size_t>(1, reference.size())).c_str());
+    const xml_node definition = definitions_.find_child_by_attribute(
+        "id", reference.substr(std::min<std::size_t>(1, reference.size())).c_str());
     const std::string_view name = definition.name();
     Glyph glyph{.stroke = definition.attribute("stroke-width").as_double()};
     if (name == "use") {
@@ -189,9 +189,9 @@ private:
   /// A dot with round ends is a disc; the line of an open circle is one of many sides.
   void add_circle(const Glyph& glyph, const SvgPoint& centre, double radius, const std::string& colour) {
     if (glyph.filled) {
-      shape_like(fmt::format("stroke=\"{}\" stroke-linecap=\"round\" stroke-width=\"{}\"", colour,
-                             short_number(2.0 * radius)),
-                 false)
+      shape_like(
+          fmt::format("stroke=\"{}\" stroke-linecap=\"round\" stroke-width=\"{}\"", colour, short_number(2.0 * radius)),
+          false)
           .lines.push_back({.points = {centre}});
       return;
     }

@@ -16,6 +16,7 @@ std::filesystem::path find_browser(const std::string& named = "");
 /// Has a browser of the Chromium family print the page into `file`, which is replaced as a whole. The same outcome
 /// printed by the same browser gives the same bytes: the dates inside are those of the outcome. Throws FileError where
 /// there is no browser, or it fails.
-void write_pdf(const CampaignOutcome& outcome, const std::filesystem::path& file, const std::string& browser, int jobs = 0);
+void write_pdf(const CampaignOutcome& outcome, const std::filesystem::path& file, const std::string& browser,
+               int jobs = 0);
 
 } // namespace settle::compare

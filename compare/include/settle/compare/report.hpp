@@ -15,9 +15,8 @@ namespace settle::compare {
 /// `jobs`: threads and gnuplots at a time; 0: as many as there are cores.
 void write_report(const CampaignOutcome& outcome, const std::filesystem::path& directory, int jobs = 0);
 
-/// The whole report as one self-contained page: style, figures (SVG) and the script of its index inside, nothing loaded.
-/// Without the script, and on paper, everything is shown.
-/// Throws FileError where gnuplot is missing or fails.
+/// The whole report as one self-contained page: style, figures (SVG) and the script of its index inside, nothing
+/// loaded. Without the script, and on paper, everything is shown. Throws FileError where gnuplot is missing or fails.
 std::string html_report(const CampaignOutcome& outcome, int jobs = 0);
 
 /// A short Markdown summary, as the job page of a CI service shows it.
