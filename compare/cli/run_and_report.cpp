@@ -43,7 +43,7 @@ FinishedCampaign run_due(const Campaign& campaign, const Plan& plan, const RunOp
                              .summary = summary_text(outcome)};
   try {
     write_outcome(outcome, options.folder);
-    write_report(outcome, options.folder);
+    write_report(outcome, options.folder, options.jobs);
   } catch (const exchange::Error&) { // a full disk, for instance: the verdicts are known all the same
     display.end(ExitCode::file_failed, end.summary, "");
     throw;
@@ -60,7 +60,7 @@ void RunningOptions::declare(CLI::App& app, const std::string& default_out) {
   app.add_option("-j,--jobs", jobs, "solvers at a time; left out: the number of cores")->check(CLI::PositiveNumber);
   app.add_flag("--fresh", fresh, "run again what is up to date");
   app.add_flag("--dry-run", dry_run, "list what would be run, in which order, and why; run and write nothing");
-  app.add_flag("--no-fields", no_fields, "a report without field pictures, which are some 40 kB each");
+  app.add_flag("--no-fields", no_fields, "a report without field pictures, which are some 20 to 60 kB each");
   app.add_option("--progress", progress,
                  "line: one that is written over; lines: one for each solver run; json: one JSON object a line on "
                  "standard output; auto: line on a terminal, lines otherwise")

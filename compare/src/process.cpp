@@ -2,16 +2,13 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdlib>
 #include <fstream>
-
-#include <unistd.h>
 
 #include <boost/process/search_path.hpp>
 
 #include "child_process.hpp"
 #include "settle/compare/process_memory.hpp"
-#include "settle/exchange/errors.hpp"
+#include "temporary_folder.hpp"
 
 namespace settle::compare {
 namespace {
@@ -30,32 +27,6 @@ ProcessEnd reason_to_kill(const ProcessRequest& request, const std::atomic<bool>
   if (memory_of(child.id()) > request.memory_limit) return ProcessEnd::out_of_memory;
   return ProcessEnd::exited;
 }
-
-/// A file with a name of its own that is gone afterwards.
-class ScratchFile {
-public:
-  ScratchFile() : path_((std::filesystem::temp_directory_path() / "settle-output-XXXXXX").string()) {
-    const int descriptor = mkstemp(path_.data());
-    if (descriptor < 0) {
-      throw exchange::FileError({.where = path_,
-                                 .what = "a temporary file cannot be created",
-                                 .given = {},
-                                 .allowed = {},
-                                 .remedy = "set TMPDIR to a folder that can be written"});
-    }
-    close(descriptor);
-  }
-  ScratchFile(const ScratchFile&) = delete;
-  ScratchFile& operator=(const ScratchFile&) = delete;
-  ~ScratchFile() {
-    std::error_code ignored; // nothing is lost with a temporary file that stays
-    std::filesystem::remove(path_, ignored);
-  }
-  [[nodiscard]] std::filesystem::path path() const { return path_; }
-
-private:
-  std::string path_;
-};
 
 } // namespace
 
@@ -80,12 +51,13 @@ ProcessOutcome run_process(const ProcessRequest& request, const std::atomic<bool
 
 CapturedOutput run_captured(const std::filesystem::path& program, const std::vector<std::string>& arguments,
                             double time_limit, const std::atomic<bool>& stop) {
-  const ScratchFile log;
+  const TemporaryFolder folder;
+  const std::filesystem::path log = folder.file("output");
   CapturedOutput output;
   output.outcome =
-      run_process({.program = program, .arguments = arguments, .log = log.path(), .time_limit = time_limit}, stop);
+      run_process({.program = program, .arguments = arguments, .log = log, .time_limit = time_limit}, stop);
   constexpr std::size_t all_lines = 1000;
-  output.text = tail_of(log.path(), all_lines);
+  output.text = tail_of(log, all_lines);
   return output;
 }
 

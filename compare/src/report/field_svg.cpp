@@ -64,10 +64,10 @@ std::string image(double x, double y, double width, double height, const std::st
                      coordinate(x), coordinate(y), coordinate(width), coordinate(height), address);
 }
 
-std::string svg(double width, double height, const std::string& name, const std::string& content) {
-  return fmt::format(R"(<svg viewBox="0 0 {0} {1}" width="{0}" role="img" )"
-                     R"(aria-label="{2}" font-size="12" fill="#333">{3}</svg>)",
-                     coordinate(width), coordinate(height), escaped(name), content);
+/// `access`: attributes that say what it is to those who do not see it.
+std::string svg(double width, double height, const std::string& access, const std::string& content) {
+  return fmt::format(R"(<svg viewBox="0 0 {0} {1}" width="{0}" {2} font-size="12" fill="#333">{3}</svg>)",
+                     coordinate(width), coordinate(height), access, content);
 }
 
 std::string design_svg(const PanelFrame& frame, const ChartAxis& x, const ChartAxis& y) {
@@ -125,7 +125,8 @@ std::string panel_svg(const PanelFrame& frame, const FieldLeg& leg, const ValueR
                     .title = "Height",
                     .unit = "m"};
   const std::string address = address_of(frame, leg, drawn_scale(scale), map);
-  return svg(panel_width(frame), top + frame.height + below, name,
+  const std::string access = fmt::format(R"(role="img" aria-label="{}")", escaped(name));
+  return svg(panel_width(frame), top + frame.height + below, access,
              image(left, top, frame.width, frame.height, address) + design_svg(frame, x, y) + axes_svg(x, y));
 }
 
@@ -145,7 +146,7 @@ std::string colour_bar_svg(const ValueRange& scale, ColourMap map, const std::st
   for (int i = 0; i < colours; ++i)
     raster.stamp({i + 0.5, 0.5}, 0.1, static_cast<std::uint8_t>(1 + i));
   const std::string address = data_address(png(raster, palette_of(map)));
-  return svg(bar_width + 2.0 * bar_margin, 2.0 + bar_height + below, title,
+  return svg(bar_width + 2.0 * bar_margin, 2.0 + bar_height + below, "aria-hidden=\"true\"",
              image(bar_margin, 2.0, bar_width, bar_height, address) + axis_svg(axis, 2.0 + bar_height));
 }
 

@@ -27,7 +27,7 @@ std::string panel_svg(const PanelFrame& frame, const FieldLeg& leg, const ValueR
 /// Width of such a drawing [pixels].
 double panel_width(const PanelFrame& frame);
 
-/// The colours of a scale, with values.
+/// The colours of a scale, with values; not read aloud, as the panels say their ranges themselves.
 std::string colour_bar_svg(const ValueRange& scale, ColourMap map, const std::string& title, const std::string& unit);
 
 /// The scale as it is drawn: of a field with one value all over it has room on both sides of it.
