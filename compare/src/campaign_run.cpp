@@ -37,6 +37,8 @@ std::vector<RunOutcome> outcomes_of(const std::vector<ExpandedRun>& runs) {
     outcome.case_file = run.case_file.string();
     for (std::size_t i = 0; i < run.study.checks.size(); ++i)
       outcome.check_places.push_back(run.study.where(fmt::format("check.{}.quantity", i)));
+    for (std::size_t i = 0; run.study.converge && i < run.study.converge->expectations.size(); ++i)
+      outcome.expectation_places.push_back(run.study.where(fmt::format("converge.expect.{}.solver", i)));
     outcome.solvers.resize(run.solvers.size());
     outcomes.push_back(std::move(outcome));
   }

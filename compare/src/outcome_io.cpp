@@ -32,8 +32,13 @@ json to_json(const RunOutcome& run) {
   json solvers = json::array();
   for (const SolverRun& solver : run.solvers)
     solvers.push_back(to_json(solver));
-  return {{"name", run.name},           {"note", run.note},           {"family", run.family},
-          {"overrides", run.overrides}, {"case_file", run.case_file}, {"check_places", run.check_places},
+  return {{"name", run.name},
+          {"note", run.note},
+          {"family", run.family},
+          {"overrides", run.overrides},
+          {"case_file", run.case_file},
+          {"check_places", run.check_places},
+          {"expectation_places", run.expectation_places},
           {"solvers", solvers}};
 }
 
@@ -73,6 +78,7 @@ RunOutcome run_from(const json& stored, const JoinedSolvers& joined, const fs::p
   run.overrides = stored.at("overrides").get<std::vector<std::string>>();
   run.case_file = stored.value("case_file", "");
   run.check_places = stored.value("check_places", std::vector<std::string>());
+  run.expectation_places = stored.value("expectation_places", std::vector<std::string>());
   const fs::path folder = run_folder(campaign_folder, run.name);
   run.study = stored_case(folder);
   for (const json& solver : stored.at("solvers"))
