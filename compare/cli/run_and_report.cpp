@@ -58,7 +58,7 @@ FinishedCampaign run_due(const Campaign& campaign, const Plan& plan, const RunOp
                              .summary = summary_text(outcome)};
   try {
     write_outcome(outcome, options.folder);
-    write_report(outcome, options.folder);
+    write_report(outcome, options.folder, options.jobs);
   } catch (const exchange::Error&) { // a full disk, for instance: the verdicts are known all the same
     display.end(ExitCode::file_failed, end.summary, "");
     throw;

@@ -11,6 +11,7 @@
 #include "settle/compare/judge.hpp"
 #include "settle/compare/judge_convergence.hpp"
 #include "settle/compare/run_folder.hpp"
+#include "settle/compare/solver_checks.hpp"
 #include "settle/compare/task_run.hpp"
 #include "settle/exchange/program.hpp"
 
@@ -124,11 +125,11 @@ bool lacks_its_result(SolverStatus status) {
 } // namespace
 
 void require_solvers_agree(const Plan& plan, int jobs, const std::atomic<bool>& stop) {
-  std::vector<std::string> complaints(plan.tasks.size());
-  parallel_for(plan.tasks.size(), jobs, [&](std::size_t i) {
-    const Task& task = plan.tasks[i];
-    if (!stop && task.is_due()) complaints[i] = complaint_of(task.job, stop).value_or("");
-  });
+  std::vector<const SolverJob*> due;
+  for (const Task& task : plan.tasks) {
+    if (task.is_due()) due.push_back(&task.job);
+  }
+  const std::vector<std::string> complaints = complaints_of(due, jobs, stop);
   throw_if_interrupted(stop);
   std::set<std::string> shown;
   std::string text;

@@ -23,7 +23,9 @@ Verdict begun(const Family& family, const ConvergenceStudy& study, const std::st
           .kind = "convergence",
           .at_least = std::nan(""),
           .limit = std::nan(""),
-          .why = study.expected.why};
+          .why = study.expected.why,
+          .quantity = std::string(name_of(study.expected.quantity)),
+          .leg = study.expected.solver + (study.expected.against == ErrorAgainst::exact ? " - exact" : "")};
 }
 
 std::string measured_text(const ConvergenceFinding& finding) {

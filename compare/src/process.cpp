@@ -3,19 +3,16 @@
 #include <algorithm>
 #include <chrono>
 #include <csignal>
-#include <cstdlib>
 #include <fstream>
 #include <functional>
 #include <thread>
-
-#include <unistd.h>
 
 #include <boost/process/search_path.hpp>
 
 #include "child_process.hpp"
 #include "settle/compare/process_memory.hpp"
 #include "settle/compare/text_file.hpp"
-#include "settle/exchange/errors.hpp"
+#include "temporary_folder.hpp"
 
 namespace settle::compare {
 namespace {
@@ -45,39 +42,13 @@ bool is_told_too(const ProcessOutcome& outcome, const std::atomic<bool>& stop) {
   return stop;
 }
 
-/// A file with a name of its own that is gone afterwards.
-class ScratchFile {
-public:
-  ScratchFile() : path_((std::filesystem::temp_directory_path() / "settle-output-XXXXXX").string()) {
-    const int descriptor = mkstemp(path_.data());
-    if (descriptor < 0) {
-      throw exchange::FileError({.where = path_,
-                                 .what = "a temporary file cannot be created",
-                                 .given = {},
-                                 .allowed = {},
-                                 .remedy = "set TMPDIR to a folder that can be written"});
-    }
-    close(descriptor);
-  }
-  ScratchFile(const ScratchFile&) = delete;
-  ScratchFile& operator=(const ScratchFile&) = delete;
-  ~ScratchFile() {
-    std::error_code ignored; // nothing is lost with a temporary file that stays
-    std::filesystem::remove(path_, ignored);
-  }
-  [[nodiscard]] std::filesystem::path path() const { return path_; }
-
-private:
-  std::string path_;
-};
-
 /// Runs a program, what it prints into a file that is gone afterwards.
 CapturedOutput captured(ProcessRequest request, const std::atomic<bool>& stop,
                         const std::function<std::string(const std::filesystem::path&)>& read) {
-  const ScratchFile log;
-  request.log = log.path();
+  const TemporaryFolder folder;
+  request.log = folder.file("output");
   CapturedOutput output{.outcome = run_process(request, stop), .text = {}};
-  output.text = read(log.path());
+  output.text = read(request.log);
   return output;
 }
 
