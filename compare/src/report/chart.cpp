@@ -7,6 +7,7 @@
 
 #include "format.hpp"
 #include "html_table.hpp"
+#include "svg_path.hpp"
 #include "templates.hpp"
 
 namespace settle::compare::report {
@@ -31,17 +32,24 @@ void reach(ChartAxis& axis, double ChartPoint::*coordinate_of, const std::vector
   if (axis.highest > 0.0) axis.highest += room;
 }
 
-std::string series_svg(const ChartSeries& series, const ChartAxis& x, const ChartAxis& y) {
-  std::string path;
+/// A line for each piece, or a dot for each point.
+std::vector<SvgLine> lines_of(const ChartSeries& series, const ChartAxis& x, const ChartAxis& y) {
+  std::vector<SvgLine> lines;
   for (const auto& piece : series.pieces) {
-    for (std::size_t i = 0; i < piece.size(); ++i)
-      path += fmt::format("{}{} {}{}", i == 0 || !series.line ? "M" : "L", coordinate(x.pixel(piece[i].x)),
-                          coordinate(y.pixel(piece[i].y)), series.line ? "" : "h0");
+    for (std::size_t i = 0; i < piece.size(); ++i) {
+      if (i == 0 || !series.line) lines.emplace_back();
+      lines.back().points.push_back({x.pixel(piece[i].x), y.pixel(piece[i].y)});
+    }
   }
+  return lines;
+}
+
+std::string series_svg(const ChartSeries& series, const ChartAxis& x, const ChartAxis& y) {
   const std::string pen = series.line
                               ? fmt::format("stroke-width=\"1.5\"{}", series.dashed ? " stroke-dasharray=\"6 4\"" : "")
                               : std::string("stroke-width=\"5\" stroke-linecap=\"round\"");
-  return fmt::format(R"(<path d="{}" fill="none" stroke="{}" {}/>)", path, series.colour, pen);
+  return fmt::format(R"(<path d="{}" fill="none" stroke="{}" {}/>)", path_text(lines_of(series, x, y)), series.colour,
+                     pen);
 }
 
 std::string chart_svg(const Chart& chart) {

@@ -7,14 +7,15 @@
 #include <fmt/format.h>
 
 #include "format.hpp"
+#include "svg_path.hpp"
 
 namespace settle::compare::report {
 
 namespace {
 
 constexpr double tic = 4.0;              // pixels
-constexpr double pixels_of_label = 52.0; // room that a label along a horizontal axis takes
-constexpr double pixels_of_row = 34.0;
+constexpr double pixels_of_label = 64.0; // room that a label along a horizontal axis takes
+constexpr double pixels_of_row = 52.0;
 
 int most_labels(const ChartAxis& axis, double room) {
   return std::max(2, static_cast<int>(std::abs(axis.to - axis.from) / room) + 1);
@@ -116,12 +117,6 @@ std::string axis_svg(const ChartAxis& x, double y) {
 
 std::string axes_svg(const ChartAxis& x, const ChartAxis& y) {
   return axis_svg(x, y.from) + vertical_axis(y, x.from);
-}
-
-std::string coordinate(double pixels) {
-  std::string digits = fmt::format("{:.1f}", pixels);
-  if (digits.ends_with(".0")) digits.erase(digits.size() - 2);
-  return digits == "-0" ? "0" : digits;
 }
 
 std::string escaped(const std::string& text) {
