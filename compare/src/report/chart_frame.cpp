@@ -13,9 +13,9 @@ namespace settle::compare::report {
 
 namespace {
 
-constexpr double tic = 4.0;              // pixels
-constexpr double pixels_of_label = 64.0; // room that a label along a horizontal axis takes
-constexpr double pixels_of_row = 52.0;
+constexpr double tic = 4.0;               // pixels
+constexpr double pixels_of_label = 100.0; // room that a label along a horizontal axis takes
+constexpr double pixels_of_row = 100.0;
 
 int most_labels(const ChartAxis& axis, double room) {
   return std::max(2, static_cast<int>(std::abs(axis.to - axis.from) / room) + 1);
@@ -29,15 +29,15 @@ std::string line(double x1, double y1, double x2, double y2) {
 }
 
 std::string path(const std::string& lines) {
-  return fmt::format(R"(<path d="{}" fill="none" stroke="#555"/>)", lines);
+  return fmt::format(R"(<path class="axis" d="{}"/>)", lines);
 }
 
 std::string text(double x, double y, const std::string& content) {
-  return fmt::format(R"(<text x="{}" y="{}">{}</text>)", coordinate(x), coordinate(y), escaped(content));
+  return fmt::format(R"(<text x={} y={}>{}</text>)", coordinate(x), coordinate(y), escaped(content));
 }
 
 std::string anchored(const char* anchor, const std::string& texts) {
-  return fmt::format(R"(<g text-anchor="{}">{}</g>)", anchor, texts);
+  return fmt::format(R"(<g class={}>{}</g>)", anchor, texts);
 }
 
 /// A multiple of three, by which values that are tiny or huge are written; 0 for those that are neither.
@@ -64,7 +64,7 @@ std::string vertical_axis(const ChartAxis& axis, double x) {
   }
   const double middle = 0.5 * (axis.from + axis.to);
   return path(lines) + anchored("end", labels) +
-         fmt::format(R"svg(<text transform="translate(12 {}) rotate(-90)" text-anchor="middle">{}</text>)svg",
+         fmt::format(R"svg(<text transform="translate(12 {}) rotate(-90)" class=middle>{}</text>)svg",
                      coordinate(middle), escaped(all.title));
 }
 
