@@ -75,6 +75,7 @@ void RunningOptions::declare(CLI::App& app, const std::string& default_out) {
   app.add_option("-j,--jobs", jobs, "solvers at a time; left out: the number of cores")->check(CLI::PositiveNumber);
   app.add_flag("--fresh", fresh, "run again what is up to date");
   app.add_flag("--dry-run", dry_run, "list what would be run, in which order, and why; run and write nothing");
+  app.add_flag("--no-fields", no_fields, "a report without field pictures, which are some 20 to 60 kB each");
   app.add_option("--progress", progress,
                  "line: one that is written over; lines: one for each solver run; json: one JSON object a line on "
                  "standard output; auto: line on a terminal, lines otherwise")
@@ -93,6 +94,7 @@ std::vector<ExpandedRun> expanded(Campaign& campaign, const RunningOptions& opti
 ExitCode run_and_report(Campaign campaign, const RunningOptions& options, const fs::path& folder,
                         const std::string& command_line) {
   const std::unique_ptr<Display> display = make_display(options.progress);
+  if (options.no_fields) campaign.report.fields = false;
   Plan plan = plan_campaign(expanded(campaign, options), folder, options.fresh);
   if (options.dry_run) {
     display->plan(plan);
