@@ -14,8 +14,8 @@
 #include "settle/compare/finished_campaign.hpp"
 #include "settle/compare/folder_lock.hpp"
 #include "settle/compare/interrupt.hpp"
-#include "settle/compare/slurm_jobs.hpp"
 #include "settle/compare/outcome_io.hpp"
+#include "settle/compare/slurm_jobs.hpp"
 #include "settle/compare/text_file.hpp"
 #include "summary.hpp"
 
@@ -118,15 +118,15 @@ ExitCode run_with_slurm(Campaign campaign, const RunningOptions& options, SlurmO
     return ExitCode::success;
   }
   watch_interrupts();
-  if (!earlier_submission(plan, slurm.folder, options.fresh))
-    require_solvers_agree(plan, options.jobs, interrupted());
+  if (!earlier_submission(plan, slurm.folder, options.fresh)) require_solvers_agree(plan, options.jobs, interrupted());
   const std::optional<Submission> submission = submitted_once(plan, options, slurm, command_line);
   if (!submission) return run_and_report(campaign, options, slurm.folder, command_line);
   const std::unique_ptr<Display> display = make_display(options.progress);
   if (!submission->judged || is_at_work(*submission, interrupted())) {
     fmt::print(stderr, "with Slurm: jobs {}; logs in {}\n", fmt::join(job_ids(*submission), ", "),
                slurm_folder(slurm.folder).string());
-    follow(plan, *submission, [&](const Progress& progress) { display->progress(progress); }, interrupted());
+    follow(
+        plan, *submission, [&](const Progress& progress) { display->progress(progress); }, interrupted());
   }
   return is_judged(slurm.folder) ? show_end(options, slurm.folder, *display)
                                  : judge_here(campaign, options, slurm.folder, command_line);

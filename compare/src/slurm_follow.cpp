@@ -77,7 +77,8 @@ public:
 
 private:
   void look_at(Followed& followed, const SlurmJob* job, bool is_over) {
-    const bool waits = job != nullptr && !has_ended(job->state) && job->state != "RUNNING" && job->state != "COMPLETING";
+    const bool waits =
+        job != nullptr && !has_ended(job->state) && job->state != "RUNNING" && job->state != "COMPLETING";
     if (waits && !is_over) return;
     if (!followed.started) observer_.started(*followed.task);
     followed.started = true;

@@ -16,7 +16,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr double patience = 120.0; ///< with Slurm's controller, to which its commands try to get through by themselves [s]
+constexpr double patience =
+    120.0; ///< with Slurm's controller, to which its commands try to get through by themselves [s]
 
 std::vector<std::string> fields_of(const std::string& line) {
   std::vector<std::string> fields;
@@ -76,8 +77,12 @@ std::string submit_job(const std::vector<std::string>& arguments, const std::ato
 
 std::vector<SlurmJob> listed_jobs(const std::vector<std::string>& names, const std::atomic<bool>& stop) {
   const fs::path program = find_in_path("squeue");
-  const std::vector<std::string> words{"--noheader", "--array", "--me", "--states=all",
-                                       fmt::format("--name={}", fmt::join(names, ",")), "--format=%F|%K|%T|%r|%j"};
+  const std::vector<std::string> words{"--noheader",
+                                       "--array",
+                                       "--me",
+                                       "--states=all",
+                                       fmt::format("--name={}", fmt::join(names, ",")),
+                                       "--format=%F|%K|%T|%r|%j"};
   CapturedOutput answer;
   if (!program.empty()) answer = run_captured_whole(program, words, patience, stop);
   if (!has_succeeded(answer))

@@ -9,8 +9,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "settle/compare/command_words.hpp"
 #include "settle/compare/campaign_run.hpp"
+#include "settle/compare/command_words.hpp"
 #include "settle/compare/slurm_campaign.hpp"
 #include "settle/compare/slurm_jobs.hpp"
 #include "settle/compare/text_file.hpp"
@@ -85,7 +85,8 @@ std::string write_script(const fs::path& folder, const std::string& name, const 
   return file.string();
 }
 
-std::vector<std::string> common_arguments(const std::string& name, const std::string& log, const SlurmOptions& options) {
+std::vector<std::string> common_arguments(const std::string& name, const std::string& log,
+                                          const SlurmOptions& options) {
   return {"--job-name=" + name, "--chdir=" + fs::current_path().string(),
           "--output=" + without_patterns(fs::absolute(slurm_folder(options.folder))) + "/" + log};
 }
@@ -148,17 +149,19 @@ void submit_rest(Submission& submission, const SlurmStates& known, const SlurmOp
 } // namespace
 
 void require_free_options(const std::vector<std::string>& options, const std::string& where) {
-  constexpr std::array<std::string_view, 14> taken{"--array",   "-a", "--dependency", "-d", "--job-name", "-J", "--output",
-                                                   "-o", "--chdir", "-D", "--parsable", "--wrap", "--wait", "-W"};
+  constexpr std::array<std::string_view, 14> taken{"--array",    "-a",       "--dependency", "-d",      "--job-name",
+                                                   "-J",         "--output", "-o",           "--chdir", "-D",
+                                                   "--parsable", "--wrap",   "--wait",       "-W"};
   for (const std::string& option : options) {
     const std::string name = option.substr(0, option.find('='));
     const bool is_taken = std::find(taken.begin(), taken.end(), name) != taken.end();
     if (option.starts_with("-") && !is_taken) continue;
-    throw exchange::InputError({.where = where,
-                                .what = is_taken ? "settle sets this option of sbatch itself" : "this is no option of sbatch",
-                                .given = option,
-                                .allowed = fmt::format("options of sbatch but {}", fmt::join(taken, ", ")),
-                                .remedy = "for example --partition=short"});
+    throw exchange::InputError(
+        {.where = where,
+         .what = is_taken ? "settle sets this option of sbatch itself" : "this is no option of sbatch",
+         .given = option,
+         .allowed = fmt::format("options of sbatch but {}", fmt::join(taken, ", ")),
+         .remedy = "for example --partition=short"});
   }
 }
 

@@ -1,6 +1,7 @@
 /// \file
-/// A campaign by Slurm: its solver runs as arrays of jobs, each `settle campaign FILE --only-run`, and a job that judges
-/// them all (`--judge-only`) when they have ended. Nothing here runs or judges: the jobs do what a person could type.
+/// A campaign by Slurm: its solver runs as arrays of jobs, each `settle campaign FILE --only-run`, and a job that
+/// judges them all (`--judge-only`) when they have ended. Nothing here runs or judges: the jobs do what a person could
+/// type.
 #pragma once
 
 #include <atomic>
