@@ -42,7 +42,7 @@ std::optional<Submission> earlier_submission(const Plan& plan, const fs::path& f
   if (!submission) return {};
   const bool is_same = submission->fingerprint == fingerprint_of(plan);
   if (is_same && !fresh) return submission;
-  if (is_at_work(*submission, interrupted()))
+  if (is_at_work(*submission))
     throw exchange::InputError(
         {.where = folder.string(),
          .what = is_same ? "runs of this campaign are with Slurm" : "runs of this campaign as it was are with Slurm",
@@ -70,7 +70,7 @@ std::optional<Submission> submitted_once(Plan& plan, const RunningOptions& optio
   const FolderLock lock(slurm_folder(slurm.folder));
   std::optional<Submission> submission = earlier_submission(plan, slurm.folder, options.fresh);
   if (!submission) submission = new_submission(plan, options, slurm, command_line);
-  if (submission && !submission->judged) submit(*submission, slurm, interrupted());
+  if (submission && !submission->judged) submit(*submission, slurm);
   return submission;
 }
 
@@ -122,7 +122,7 @@ ExitCode run_with_slurm(Campaign campaign, const RunningOptions& options, SlurmO
   const std::optional<Submission> submission = submitted_once(plan, options, slurm, command_line);
   if (!submission) return run_and_report(campaign, options, slurm.folder, command_line);
   const std::unique_ptr<Display> display = make_display(options.progress);
-  if (!submission->judged || is_at_work(*submission, interrupted())) {
+  if (!submission->judged || is_at_work(*submission)) {
     fmt::print(stderr, "with Slurm: jobs {}; logs in {}\n", fmt::join(job_ids(*submission), ", "),
                slurm_folder(slurm.folder).string());
     follow(

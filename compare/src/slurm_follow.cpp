@@ -53,9 +53,8 @@ void pause_after(Clock::time_point start, const std::atomic<bool>& stop) {
 
 class Following {
 public:
-  Following(Plan& plan, const Submission& submission, const std::function<void(const Progress&)>& tell,
-            const std::atomic<bool>& stop)
-      : submission_(submission), stop_(stop), waiting_(followed_of(plan, submission)),
+  Following(Plan& plan, const Submission& submission, const std::function<void(const Progress&)>& tell)
+      : submission_(submission), waiting_(followed_of(plan, submission)),
         observer_(plan, static_cast<int>(std::max<std::size_t>(waiting_.size(), 1)), tell) {
     for (Task& task : plan.tasks) {
       const bool is_followed = std::any_of(waiting_.begin(), waiting_.end(),
@@ -66,7 +65,7 @@ public:
 
   /// True: everything has ended.
   bool look() {
-    const SlurmStates states(listed_jobs(names_of(submission_), stop_));
+    const SlurmStates states(listed_jobs(names_of(submission_)));
     const SlurmJob* judge = states.find(submission_.judge_name);
     const bool is_over = judge == nullptr || has_ended(judge->state);
     for (Followed& followed : waiting_)
@@ -99,15 +98,14 @@ private:
   }
 
   const Submission& submission_;
-  const std::atomic<bool>& stop_;
   std::vector<Followed> waiting_;
   Observer observer_;
 };
 
 /// What Slurm knows of the jobs, now or from its accounting.
-SlurmStates all_states(const Submission& submission, const std::atomic<bool>& stop) {
-  std::vector<SlurmJob> jobs = accounted_jobs(job_ids(submission), stop);
-  const std::vector<SlurmJob> listed = listed_jobs(names_of(submission), stop);
+SlurmStates all_states(const Submission& submission) {
+  std::vector<SlurmJob> jobs = accounted_jobs(job_ids(submission));
+  const std::vector<SlurmJob> listed = listed_jobs(names_of(submission));
   jobs.insert(jobs.end(), listed.begin(), listed.end()); // these are newer
   return SlurmStates(jobs);
 }
@@ -137,7 +135,7 @@ FailedAttempt lost(const SlurmJob* job, const fs::path& log) {
 void follow(Plan& plan, const Submission& submission, const std::function<void(const Progress&)>& tell,
             const std::atomic<bool>& stop) {
   const auto start = Clock::now();
-  Following following(plan, submission, tell, stop);
+  Following following(plan, submission, tell);
   while (!stop && !following.look())
     pause_after(start, stop);
   if (stop)
@@ -147,11 +145,11 @@ void follow(Plan& plan, const Submission& submission, const std::function<void(c
                                       fmt::join(job_ids(submission), " ")));
 }
 
-void note_lost_jobs(Plan& plan, const Submission& submission, const fs::path& folder, const std::atomic<bool>& stop) {
+void note_lost_jobs(Plan& plan, const Submission& submission, const fs::path& folder) {
   std::vector<Followed> awaited = followed_of(plan, submission);
   std::erase_if(awaited, [](const Followed& followed) { return !is_awaited(*followed.task); });
   if (awaited.empty()) return;
-  const SlurmStates states = all_states(submission, stop);
+  const SlurmStates states = all_states(submission);
   for (const Followed& followed : awaited) {
     const fs::path log = slurm_folder(folder) / fmt::format("{}_{}.log", followed.name, followed.number);
     followed.task->record->failure = lost(states.find(followed.name, followed.number), log);

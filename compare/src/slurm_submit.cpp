@@ -132,17 +132,16 @@ std::vector<std::string> judge_arguments(const Submission& submission, const Slu
   return arguments;
 }
 
-void submit_rest(Submission& submission, const SlurmStates& known, const SlurmOptions& options,
-                 const std::atomic<bool>& stop) {
+void submit_rest(Submission& submission, const SlurmStates& known, const SlurmOptions& options) {
   for (SubmittedArray& array : submission.arrays) {
     if (!array.id.empty()) continue;
     const SlurmJob* job = known.find(array.name, 0);
-    array.id = job != nullptr ? job->id : submit_job(array_arguments(array, options), stop);
+    array.id = job != nullptr ? job->id : submit_job(array_arguments(array, options));
     write_submission(submission, options.folder);
   }
   if (!submission.judge_id.empty()) return;
   const SlurmJob* job = known.find(submission.judge_name);
-  submission.judge_id = job != nullptr ? job->id : submit_job(judge_arguments(submission, options), stop);
+  submission.judge_id = job != nullptr ? job->id : submit_job(judge_arguments(submission, options));
   write_submission(submission, options.folder);
 }
 
@@ -182,10 +181,10 @@ Submission plan_submission(const Plan& plan, const SlurmOptions& options, const 
   return submission;
 }
 
-void submit(Submission& submission, const SlurmOptions& options, const std::atomic<bool>& stop) {
-  const SlurmStates known(listed_jobs(names_of(submission), stop));
+void submit(Submission& submission, const SlurmOptions& options) {
+  const SlurmStates known(listed_jobs(names_of(submission)));
   try {
-    submit_rest(submission, known, options, stop);
+    submit_rest(submission, known, options);
   } catch (const exchange::InputError& refusal) {
     const std::vector<std::string> ids = job_ids(submission);
     if (ids.empty()) discard_submission(options.folder);
@@ -205,8 +204,8 @@ std::vector<std::string> job_ids(const Submission& submission) {
   return ids;
 }
 
-bool is_at_work(const Submission& submission, const std::atomic<bool>& stop) {
-  const std::vector<SlurmJob> jobs = listed_jobs(names_of(submission), stop);
+bool is_at_work(const Submission& submission) {
+  const std::vector<SlurmJob> jobs = listed_jobs(names_of(submission));
   return std::any_of(jobs.begin(), jobs.end(), [](const SlurmJob& job) { return !has_ended(job.state); });
 }
 

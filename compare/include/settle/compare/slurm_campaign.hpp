@@ -37,13 +37,13 @@ Submission plan_submission(const Plan& plan, const SlurmOptions& options, const 
 
 /// Submits what of it has not been submitted yet, and notes each number as soon as Slurm has given it; what an earlier
 /// attempt has submitted without being able to note it is found by its name. Throws InputError where Slurm refuses.
-void submit(Submission& submission, const SlurmOptions& options, const std::atomic<bool>& stop);
+void submit(Submission& submission, const SlurmOptions& options);
 
 /// The numbers of all its jobs, for squeue and scancel.
 std::vector<std::string> job_ids(const Submission& submission);
 
 /// Is one of its jobs waiting or running? Throws FileError where Slurm does not say.
-bool is_at_work(const Submission& submission, const std::atomic<bool>& stop);
+bool is_at_work(const Submission& submission);
 
 /// Tells how the tasks come along until the job that judges has ended. Throws FileError where Slurm does not say, and
 /// Error with exit code 130 when `stop` becomes true: the jobs go on.
@@ -52,7 +52,6 @@ void follow(Plan& plan, const Submission& submission, const std::function<void(c
 
 /// Notes in the record of every task whose job has ended without doing so what Slurm says of that: out of time, out of
 /// memory, cancelled, ...
-void note_lost_jobs(Plan& plan, const Submission& submission, const std::filesystem::path& folder,
-                    const std::atomic<bool>& stop);
+void note_lost_jobs(Plan& plan, const Submission& submission, const std::filesystem::path& folder);
 
 } // namespace settle::compare
