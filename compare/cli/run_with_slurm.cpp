@@ -5,6 +5,8 @@
 #include <optional>
 #include <thread>
 
+#include <unistd.h>
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -95,6 +97,15 @@ ExitCode show_end(const RunningOptions& options, const fs::path& folder, Display
   return code;
 }
 
+SlurmNews news_for(Display& display) {
+  return {.progress = [&](const Progress& progress) { display.progress(progress); },
+          .waiting =
+              [](const std::string& text) {
+                const bool on_terminal = isatty(STDERR_FILENO) == 1; // where a line is written over
+                fmt::print(stderr, "{}with Slurm: {}\n", on_terminal ? "\r\x1b[K" : "", text);
+              }};
+}
+
 /// The job that judges was ended before it has: this does its work.
 ExitCode judge_here(const Campaign& campaign, RunningOptions options, const fs::path& folder,
                     const std::string& command_line) {
@@ -125,8 +136,7 @@ ExitCode run_with_slurm(Campaign campaign, const RunningOptions& options, SlurmO
   if (!submission->judged || is_at_work(*submission)) {
     fmt::print(stderr, "with Slurm: jobs {}; logs in {}\n", fmt::join(job_ids(*submission), ", "),
                slurm_folder(slurm.folder).string());
-    follow(
-        plan, *submission, [&](const Progress& progress) { display->progress(progress); }, interrupted());
+    follow(plan, *submission, news_for(*display), interrupted());
   }
   return is_judged(slurm.folder) ? show_end(options, slurm.folder, *display)
                                  : judge_here(campaign, options, slurm.folder, command_line);

@@ -185,6 +185,19 @@ TEST_F(SlurmCampaign, IsNotMixedWithWhatItWasWhenItWasSubmitted) {
   EXPECT_EQ(now.code, 0) << now.text;
 }
 
+TEST_F(SlurmCampaign, ThatCannotStartSaysWhy) {
+  const fs::path log = folder.path() / "log";
+  const auto shell = folder.script(
+      "follow",
+      fmt::format("'{}' campaign '{}' --out '{}' --executor slurm --slurm-option=--partition=brief 2> {} & "
+                  "settle=$!\nfor i in $(seq 300); do grep -q 'jobs wait' {} && break; sleep 0.1; done\n"
+                  "kill -TERM $settle; wait $settle; code=$?; scancel --me; cat {}; exit $code",
+                  SETTLE_PROGRAM, campaign_of(1).string(), out().string(), log.string(), log.string(), log.string()));
+  const Answer answer = run_program(shell, {}, patience); // 11 minutes in a partition that gives one
+  EXPECT_EQ(answer.code, 130);
+  EXPECT_THAT(answer.text, HasSubstr("with Slurm: jobs wait: Partition"));
+}
+
 TEST_F(SlurmCampaign, WhatSlurmRefusesIsSaidAsItSaysIt) {
   const Answer answer = by_slurm(campaign_of(1), {"--slurm-option=--partition=nope"});
   EXPECT_EQ(answer.code, 2);

@@ -45,10 +45,16 @@ std::vector<std::string> job_ids(const Submission& submission);
 /// Is one of its jobs waiting or running? Throws FileError where Slurm does not say.
 bool is_at_work(const Submission& submission);
 
+/// What somebody who follows a campaign is told: how it comes along, and in words why jobs wait where that is not only
+/// for their turn.
+struct SlurmNews {
+  std::function<void(const Progress&)> progress{};
+  std::function<void(const std::string&)> waiting{};
+};
+
 /// Tells how the tasks come along until the job that judges has ended. Throws FileError where Slurm does not say, and
 /// Error with exit code 130 when `stop` becomes true: the jobs go on.
-void follow(Plan& plan, const Submission& submission, const std::function<void(const Progress&)>& tell,
-            const std::atomic<bool>& stop);
+void follow(Plan& plan, const Submission& submission, const SlurmNews& news, const std::atomic<bool>& stop);
 
 /// Notes in the record of every task whose job has ended without doing so what Slurm says of that: out of time, out of
 /// memory, cancelled, ...
