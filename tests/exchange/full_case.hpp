@@ -48,6 +48,7 @@ increments = 7
 residual = 1e-7
 
 [mpm.explicit]
+relaxation = "local"
 damping = 0.5
 courant = 0.8
 ramp_time = 11
