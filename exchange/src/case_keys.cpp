@@ -121,6 +121,9 @@ KeyTable<QuasiStatic> quasi_static_keys() {
                {.range = at_least(1), .doc = "steps in which a layer's gravity is applied, per stage"});
   keys.real("residual", &QuasiStatic::residual,
             {.range = between(0, 1), .doc = "relative out-of-balance force at which an increment is accepted"});
+  keys.choice("linear_solver", &QuasiStatic::linear_solver,
+              {.left_out = "\"direct\" in 2-D, \"iterative\" in 3-D",
+               .doc = "a complete factorisation, or iterations with an incomplete one"});
   return keys;
 }
 

@@ -62,6 +62,7 @@ TEST(CaseReading, EveryKeyOfTheMaterialPointMethodReachesItsMember) {
   EXPECT_EQ(mpm.scheme, Scheme::explicit_dynamic);
   EXPECT_EQ(mpm.quasi_static.increments, 7);
   EXPECT_EQ(mpm.quasi_static.residual, 1e-7);
+  EXPECT_EQ(mpm.quasi_static.linear_solver, LinearSolver::direct);
   EXPECT_EQ(mpm.explicit_dynamic.relaxation, Relaxation::local);
   EXPECT_EQ(mpm.explicit_dynamic.damping, 0.5);
   EXPECT_EQ(mpm.explicit_dynamic.courant, 0.8);
@@ -113,6 +114,12 @@ TEST(CaseReading, WhatIsLeftOutHasTheDefaultOfTheFormat) {
   EXPECT_EQ(study.fem.element, FemElement::Q1);
   EXPECT_TRUE(study.probes.empty());
   EXPECT_TRUE(study.checks.empty());
+}
+
+TEST(CaseReading, LinearSystemsAreSolvedDirectlyInThePlaneAndByIterationsInSpace) {
+  EXPECT_EQ(parse_case(smallest, "c").mpm.quasi_static.linear_solver, LinearSolver::direct);
+  EXPECT_EQ(parse_case(smallest, "c", {"geometry.dimension=3"}).mpm.quasi_static.linear_solver,
+            LinearSolver::iterative);
 }
 
 TEST(CaseReading, GravityIsRampedWithLocalDampingAndActsAtOnceUnderViscousRelaxation) {

@@ -46,6 +46,7 @@ scheme = "explicit"
 [mpm.quasi_static]
 increments = 7
 residual = 1e-7
+linear_solver = "direct"
 
 [mpm.explicit]
 relaxation = "local"
