@@ -1,11 +1,13 @@
 #include <fmt/format.h>
 
+#include "case_entries.hpp"
 #include "figure_data.hpp"
 #include "format.hpp"
 #include "html_parts.hpp"
 #include "line_figure.hpp"
 #include "reported_verdicts.hpp"
 #include "settle/compare/statistics.hpp"
+#include "settle/exchange/case_io.hpp"
 #include "templates.hpp"
 
 namespace settle::compare::report {
@@ -82,16 +84,18 @@ data commands(const RunOutcome& run) {
   return list;
 }
 
+/// The case in the words of a solver's result, where they say something else than the parameters do.
 data case_text(const RunOutcome& run) {
+  const std::string parameters = exchange::to_toml(run.study);
   for (const SolverRun& solver : run.solvers) {
-    if (solver.result) return text_or_nothing(solver.result->case_text);
+    if (solver.result && solver.result->case_text != parameters) return text_or_nothing(solver.result->case_text);
   }
   return data(false);
 }
 
 } // namespace
 
-std::string run_html(const CampaignOutcome& outcome, const RunOutcome& run) {
+std::string run_html(const CampaignOutcome& outcome, const RunOutcome& run, const Facets& facets, bool open) {
   const std::vector<Verdict> verdicts = reported_verdicts(run);
   const Status status = worst(verdicts);
   const std::vector<std::string> restless = out_of_equilibrium(run);
@@ -101,13 +105,14 @@ std::string run_html(const CampaignOutcome& outcome, const RunOutcome& run) {
   section.set("status", std::string(name_of(status)));
   section.set("status_text", status_text(status));
   section.set("counts", count_text(count(verdicts)));
-  section.set("open", status != Status::passed);
+  section.set("open", open);
   section.set("title", text_or_nothing(run.study.title));
   section.set("source", text_or_nothing(run.study.source));
   section.set("note", text_or_nothing(run.note));
   section.set("out_of_equilibrium", !restless.empty());
   section.set("restless", paragraphs(restless));
   section.set("overrides", paragraphs(run.overrides));
+  section.set("verdicts", html_of(verdict_table(verdicts, facets)));
   section.set("solvers", html_of(solver_table(run)));
   section.set("tails", tails(run));
   section.set("key_figures", html_of(key_figure_table(run)));

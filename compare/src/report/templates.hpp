@@ -6,8 +6,8 @@ namespace settle::compare::report::templates {
 
 extern const char* const page;
 extern const char* const style;
+extern const char* const script;
 extern const char* const table;
-extern const char* const verdicts;
 extern const char* const figure;
 extern const char* const run;
 extern const char* const published;
