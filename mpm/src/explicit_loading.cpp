@@ -7,6 +7,7 @@
 #include "settle/mpm/explicit_step.hpp"
 #include "settle/mpm/loading.hpp"
 #include "settle/mpm/spaces.hpp"
+#include "settle/mpm/viscous_damping.hpp"
 
 namespace settle::mpm {
 
@@ -27,16 +28,14 @@ template <class Space>
 class Run {
 public:
   Run(Body<Space>& body, const StageLoad& load, const exchange::ExplicitDynamic& settings)
-      : body_(body), load_(load), settings_(settings), nodes_(static_cast<std::size_t>(body.space.n_nodes())) {}
+      : body_(body), load_(load), settings_(settings), nodes_(static_cast<std::size_t>(body.space.n_nodes())),
+        viscous_(settings.damping) {}
 
   /// One step, not beyond `dt_max`, with the layer's gravity at `factor`. Returns its length [s].
   double advance(double dt_max, double factor) {
     const Gravity gravity = load_.at(factor);
     const double dt = std::min(dt_max, stable_time_step(body_, settings_.courant));
-    scatter_points(body_, gravity, nodes_);
-    sums_ = update_nodes(body_, settings_.damping, nodes_);
-    update_velocity_and_remap(body_, dt, nodes_);
-    const StepEnergy energy = update_stress_and_move(body_, gravity, dt, nodes_);
+    const StepEnergy energy = relaxes() ? relax(gravity, dt) : step(gravity, dt);
     external_work_ += energy.external_work;
     kinetic_ = energy.kinetic;
     ++steps_;
@@ -54,11 +53,31 @@ public:
             .in_equilibrium = errors().met(settings_)};
   }
 
+  [[nodiscard]] bool relaxes() const { return settings_.relaxation == exchange::Relaxation::viscous; }
+
 private:
+  StepEnergy step(const Gravity& gravity, double dt) {
+    scatter_points(body_, gravity, nodes_);
+    sums_ = update_nodes(body_, settings_.damping, nodes_);
+    update_velocity_and_remap(body_, dt, nodes_);
+    return update_stress_and_move(body_, gravity, dt, nodes_);
+  }
+  StepEnergy relax(const Gravity& gravity, double dt) {
+    const double kick = viscous_.damp(body_.points, dt);
+    scatter_points(body_, gravity, nodes_);
+    viscous_.know_forces(nodes_);
+    sums_ = update_nodes(body_, 0.0, nodes_);
+    update_velocity_and_remap(body_, kick, nodes_);
+    const StepEnergy energy = update_stress_and_move(body_, gravity, dt, nodes_);
+    viscous_.know_displacements(nodes_);
+    return energy;
+  }
+
   Body<Space>& body_;
   const StageLoad& load_;
   const exchange::ExplicitDynamic& settings_;
   Nodes<Space::dim> nodes_;
+  ViscousDamping<Space::dim> viscous_;
   ForceSums sums_;
   double external_work_ = 0, kinetic_ = 0;
   std::int64_t steps_ = 0;
@@ -87,6 +106,7 @@ void hold_until_equilibrium(Run<Space>& run, Body<Space>& body, const StageLoad&
                             const exchange::ExplicitDynamic& settings) {
   for (double time = 0; time < settings.max_hold_time;) {
     time += run.advance(settings.max_hold_time, 1.0);
+    if (run.relaxes()) refill_where_due(body, load.refill);
     if (!run.errors().met(settings)) continue;
     if (close_gap(body, load.refill) == 0) return;
     time = 0;
@@ -99,7 +119,7 @@ void hold_until_equilibrium(Run<Space>& run, Body<Space>& body, const StageLoad&
 template <class Space>
 StageReport load_explicit(Body<Space>& body, const StageLoad& load, const exchange::ExplicitDynamic& settings) {
   Run<Space> run(body, load, settings);
-  ramp(run, body, load, settings.ramp_time);
+  if (settings.ramp_time) ramp(run, body, load, *settings.ramp_time);
   if (!settings.hold) {
     hold_until_equilibrium(run, body, load, settings);
     return run.report();

@@ -25,6 +25,7 @@ beyond_a_schema = {
     "motion_of_a_solid_column", "motion_under_way", "order_left_out", "order_of_divergence", "polygon_clockwise",
     "polygon_with_a_dent", "polygons_in_space", "polygons_that_overlap", "polygons_without_support",
     "probe_beside_the_depth", "probe_outside", "probes_beside_the_polygons", "reference_called_exact",
+    "relaxation_for_a_time",
     "second_meaning_of_x", "support_of_a_column", "support_of_no_motion", "two_levels_of_layers",
     "undefined_material",
 }
