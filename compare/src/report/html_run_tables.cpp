@@ -74,7 +74,10 @@ Table solver_table(const RunOutcome& run) {
                {"Steps", "", true},
                {"Wall time", "", true},
                {"What happened", "", false}},
-              {}};
+              {},
+              false,
+              "",
+              "titled"};
   for (const SolverRun& solver : run.solvers) {
     const bool finished = solver.status == SolverStatus::finished;
     std::int64_t steps = 0;
