@@ -86,6 +86,8 @@ KeyTable<Campaign> campaign_keys() {
                {.range = exchange::exactly(1), .required = true, .doc = "version of this format"});
   keys.text("title", &Campaign::title, {.doc = "title of the report"});
   keys.text("description", &Campaign::description, {.doc = "what the campaign shows, in a few sentences"});
+  keys.texts("slurm_options", &Campaign::slurm_options,
+             {.doc = "given to sbatch with every job of --executor slurm, such as \"--partition=short\""});
   keys.named_tables("solver", &Campaign::solvers, joined_solver_keys());
   keys.table_array("run", &Campaign::runs, run_keys());
   keys.table_array("figure", &Campaign::figures, figure_keys());

@@ -2,12 +2,16 @@
 
 #include <algorithm>
 #include <chrono>
+#include <csignal>
 #include <fstream>
+#include <functional>
+#include <thread>
 
 #include <boost/process/search_path.hpp>
 
 #include "child_process.hpp"
 #include "settle/compare/process_memory.hpp"
+#include "settle/compare/text_file.hpp"
 #include "temporary_folder.hpp"
 
 namespace settle::compare {
@@ -28,6 +32,26 @@ ProcessEnd reason_to_kill(const ProcessRequest& request, const std::atomic<bool>
   return ProcessEnd::exited;
 }
 
+/// A scheduler that ends a job tells each of its processes by itself, the child maybe a moment before this one.
+bool is_told_too(const ProcessOutcome& outcome, const std::atomic<bool>& stop) {
+  constexpr int looks = 25;
+  constexpr auto pause = std::chrono::milliseconds(20);
+  if (outcome.end != ProcessEnd::signalled || outcome.code != SIGTERM) return false;
+  for (int look = 0; look < looks && !stop; ++look)
+    std::this_thread::sleep_for(pause);
+  return stop;
+}
+
+/// Runs a program, what it prints into a file that is gone afterwards.
+CapturedOutput captured(ProcessRequest request, const std::atomic<bool>& stop,
+                        const std::function<std::string(const std::filesystem::path&)>& read) {
+  const TemporaryFolder folder;
+  request.log = folder.file("output");
+  CapturedOutput output{.outcome = run_process(request, stop), .text = {}};
+  output.text = read(request.log);
+  return output;
+}
+
 } // namespace
 
 ProcessOutcome run_process(const ProcessRequest& request, const std::atomic<bool>& stop) {
@@ -45,20 +69,21 @@ ProcessOutcome run_process(const ProcessRequest& request, const std::atomic<bool
   if (killed_for != ProcessEnd::exited) child.kill_group();
   child.reap(outcome);
   if (killed_for != ProcessEnd::exited) outcome.end = killed_for;
+  if (is_told_too(outcome, stop)) outcome.end = ProcessEnd::stopped;
   outcome.wall_time = seconds_since(start);
   return outcome;
 }
 
 CapturedOutput run_captured(const std::filesystem::path& program, const std::vector<std::string>& arguments,
                             double time_limit, const std::atomic<bool>& stop) {
-  const TemporaryFolder folder;
-  const std::filesystem::path log = folder.file("output");
-  CapturedOutput output;
-  output.outcome =
-      run_process({.program = program, .arguments = arguments, .log = log, .time_limit = time_limit}, stop);
   constexpr std::size_t all_lines = 1000;
-  output.text = tail_of(log, all_lines);
-  return output;
+  return captured({.program = program, .arguments = arguments, .time_limit = time_limit}, stop,
+                  [](const std::filesystem::path& log) { return tail_of(log, all_lines); });
+}
+
+CapturedOutput run_captured_whole(const std::filesystem::path& program, const std::vector<std::string>& arguments,
+                                  double time_limit, const std::atomic<bool>& stop) {
+  return captured({.program = program, .arguments = arguments, .time_limit = time_limit}, stop, read_text);
 }
 
 std::filesystem::path find_in_path(const std::string& program) {

@@ -47,7 +47,7 @@ double mass_of(const Nodes<2>& nodes) {
 
 template <class Space>
 class ExplicitPhasesOf : public testing::Test {};
-TYPED_TEST_SUITE(ExplicitPhasesOf, EverySpace, SpaceName);
+TYPED_TEST_SUITE(ExplicitPhasesOf, EveryPlaneSpace, SpaceName);
 
 TYPED_TEST(ExplicitPhasesOf, ScatteringConservesMassAndMomentum) {
   const auto [body, nodes] = scattered<TypeParam>(false);

@@ -64,7 +64,8 @@ struct Campaign {
   int format = 1;
   std::string title;
   std::string description;
-  JoinedSolvers solvers; ///< besides mpm and fem; with those of the user's file once read from a file
+  std::vector<std::string> slurm_options; ///< given to sbatch with every job of `--executor slurm`
+  JoinedSolvers solvers;                  ///< besides mpm and fem; with those of the user's file once read from a file
   std::vector<RunEntry> runs;
   std::vector<Figure> figures;
   std::vector<Published> published;
