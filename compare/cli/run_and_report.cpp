@@ -33,7 +33,7 @@ namespace {
 void require_nothing_with_slurm(const fs::path& folder) {
   const std::optional<Submission> submission = read_submission(folder);
   if (!submission) return;
-  if (!submission->judged && is_at_work(*submission, interrupted()))
+  if (!submission->judged && is_at_work(*submission))
     throw exchange::InputError({.where = folder.string(),
                                 .what = "runs of this folder are with Slurm",
                                 .given = fmt::format("jobs {}", fmt::join(job_ids(*submission), ", ")),
@@ -75,6 +75,7 @@ void RunningOptions::declare(CLI::App& app, const std::string& default_out) {
   app.add_option("-j,--jobs", jobs, "solvers at a time; left out: the number of cores")->check(CLI::PositiveNumber);
   app.add_flag("--fresh", fresh, "run again what is up to date");
   app.add_flag("--dry-run", dry_run, "list what would be run, in which order, and why; run and write nothing");
+  app.add_flag("--no-fields", no_fields, "a report without field pictures, which are some 20 to 60 kB each");
   app.add_option("--progress", progress,
                  "line: one that is written over; lines: one for each solver run; json: one JSON object a line on "
                  "standard output; auto: line on a terminal, lines otherwise")
@@ -93,6 +94,7 @@ std::vector<ExpandedRun> expanded(Campaign& campaign, const RunningOptions& opti
 ExitCode run_and_report(Campaign campaign, const RunningOptions& options, const fs::path& folder,
                         const std::string& command_line) {
   const std::unique_ptr<Display> display = make_display(options.progress);
+  if (options.no_fields) campaign.report.fields = false;
   Plan plan = plan_campaign(expanded(campaign, options), folder, options.fresh);
   if (options.dry_run) {
     display->plan(plan);
@@ -107,7 +109,7 @@ ExitCode run_and_report(Campaign campaign, const RunningOptions& options, const 
   const FolderLock lock(folder);
   look_again(plan, options.fresh);
   std::optional<Submission> submission = read_submission(folder);
-  if (submission) note_lost_jobs(plan, *submission, folder, interrupted());
+  if (submission) note_lost_jobs(plan, *submission, folder);
   const std::string report = (folder / "report.html").string();
   auto fingerprint = fingerprint_of(campaign, plan);
   auto end = fingerprint ? finished_before(folder, *fingerprint) : std::nullopt;

@@ -20,6 +20,7 @@ struct RunningOptions {
   int jobs = 1;
   bool fresh = false;
   bool dry_run = false;
+  bool no_fields = false;
   std::string progress = "auto";
   std::string shard{};     ///< "i/n"; empty: everything
   std::string costs{};     ///< outcome.json of an earlier campaign, by which shards are dealt out; empty: in turn

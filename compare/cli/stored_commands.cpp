@@ -62,9 +62,11 @@ public:
     app.add_option("--browser", browser_,
                    "program that prints the pdf; left out: the one that SETTLE_BROWSER names, or chromium or "
                    "google-chrome in PATH");
+    app.add_flag("--no-fields", no_fields_, "without field pictures, which are some 20 to 60 kB each");
   }
   ExitCode run(const std::string&) override {
-    const CampaignOutcome outcome = read_outcome(folder_);
+    CampaignOutcome outcome = read_outcome(folder_);
+    if (no_fields_) outcome.campaign.report.fields = false;
     if (formats_.empty()) {
       write_report(outcome, folder_);
       fmt::print("report: {}\n", file("report.html").string());
@@ -95,6 +97,7 @@ private:
 
   std::string folder_, browser_;
   std::vector<std::string> formats_;
+  bool no_fields_ = false;
 };
 
 } // namespace

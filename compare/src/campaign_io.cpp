@@ -80,6 +80,15 @@ KeyTable<Published> published_keys() {
   return keys;
 }
 
+KeyTable<ReportOptions> report_keys() {
+  KeyTable<ReportOptions> keys("What the report shows besides what is judged.");
+  keys.boolean("fields", &ReportOptions::fields,
+               {.doc =
+                    "settlement and vertical stress as they lie in space at the end of construction; of a refinement "
+                    "family those of its finest level"});
+  return keys;
+}
+
 KeyTable<Campaign> campaign_keys() {
   KeyTable<Campaign> keys("A campaign: cases, what is varied over them, and what the report shows.");
   keys.integer("format", &Campaign::format,
@@ -92,6 +101,7 @@ KeyTable<Campaign> campaign_keys() {
   keys.table_array("run", &Campaign::runs, run_keys());
   keys.table_array("figure", &Campaign::figures, figure_keys());
   keys.table_array("published", &Campaign::published, published_keys());
+  keys.table("report", &Campaign::report, report_keys());
   return keys;
 }
 

@@ -2,6 +2,7 @@
 
 #include "case_consistency.hpp"
 #include "case_keys.hpp"
+#include "motion_consistency.hpp"
 #include "polygon_consistency.hpp"
 #include "settle/exchange/formulas.hpp"
 #include "settle/exchange/plane_geometry.hpp"
@@ -59,7 +60,8 @@ Case interpreted(const document::Table& table, const std::string& name) {
   fill_dependent_defaults(study);
   check_consistency(study, reading);
   reading.throw_if_any();
-  if (study.motion) static_cast<void>(Formulas(study)); // throws where a formula cannot be understood
+  if (study.motion) check_start(study, Formulas(study), reading); // throws where a formula cannot be understood
+  reading.throw_if_any();
   return study;
 }
 

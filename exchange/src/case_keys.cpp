@@ -154,7 +154,8 @@ KeyTable<ExplicitDynamic> explicit_keys() {
 
 KeyTable<Mpm> mpm_keys() {
   KeyTable<Mpm> keys("What the material point method is told.");
-  keys.choice("element", &Mpm::element, {.doc = "cells of the background grid"});
+  keys.choice("element", &Mpm::element,
+              {.doc = "cells of the background grid: the first two in 2-D, the others in 3-D"});
   keys.real(
       "element_size", &Mpm::element_size,
       {.unit = "m", .range = above(0), .doc = "edge of a grid cell; the layer thickness must be a multiple of it"});

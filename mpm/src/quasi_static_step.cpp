@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 #include "cell_gradients.hpp"
 #include "constitutive_update.hpp"
@@ -71,12 +72,17 @@ IncrementalKinematics<Space::dim> kinematics_of(const CellGradients<Space>& cell
   return IncrementalKinematics<dim>(gradient);
 }
 
+/// A square matrix, on the stack where it is small enough.
+template <int size>
+using SquareMatrix = std::conditional_t<size * size * sizeof(double) <= EIGEN_STACK_ALLOCATION_LIMIT,
+                                        Eigen::Matrix<double, size, size>, Eigen::MatrixXd>;
+
 /// Internal forces of one cell at the end of the increment and their derivative; the first dim * n_nodes() entries.
 template <class Space>
 struct CellContribution {
   static constexpr int max_dofs = Space::dim * Space::max_nodes;
   Eigen::Matrix<double, max_dofs, 1> force = Eigen::Matrix<double, max_dofs, 1>::Zero();
-  Eigen::Matrix<double, max_dofs, max_dofs> tangent = Eigen::Matrix<double, max_dofs, max_dofs>::Zero();
+  SquareMatrix<max_dofs> tangent = SquareMatrix<max_dofs>::Zero(max_dofs, max_dofs);
 };
 
 /// Adds the force f_i = v J sigma g_i of a patch with current gradients g = F^-T (gradients at the start), and its

@@ -137,6 +137,19 @@ TEST(FigureData, SaysWhereValuesAreNotFinite) {
   EXPECT_THAT(plot.missing[0], HasSubstr("1 points have no value"));
 }
 
+TEST(FigureData, ShowsTheExactSolutionsOfTheModelsThatARunSolvesAndNoOthers) {
+  CampaignOutcome outcome = synthetic_campaign({.runs = 1});
+  const auto sources = [&] {
+    std::vector<std::string> all;
+    for (const PlotCurve& curve : plot_of(outcome.runs[0], Quantity::settlement, outcome).curves)
+      all.push_back(curve.source);
+    return all;
+  };
+  EXPECT_THAT(sources(), testing::ElementsAre("mpm", "fem", "exact", "exact-fem"));
+  outcome.runs[0].solvers.erase(outcome.runs[0].solvers.begin());
+  EXPECT_THAT(sources(), testing::ElementsAre("fem", "exact-fem"));
+}
+
 TEST(FigureData, RefusesWhatHasNoProfile) {
   CampaignOutcome outcome = synthetic_campaign();
   outcome.campaign.figures[0].quantity = Quantity::base_reaction;

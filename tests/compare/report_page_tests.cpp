@@ -47,11 +47,14 @@ std::vector<std::string> attributes(const std::string& page, const std::string& 
 }
 
 TEST(Page, HasASectionForEveryRunAndItsOwnFigures) {
-  const std::string page = html_report(synthetic_campaign({.runs = 3}));
+  CampaignOutcome outcome = synthetic_campaign({.runs = 3});
+  outcome.campaign.report.fields = false;
+  const std::string page = html_report(outcome);
   for (int run = 1; run <= 3; ++run) {
     EXPECT_THAT(page, HasSubstr(fmt::format("id=\"run-{0}-run-{0}\"", run)));
   }
-  EXPECT_EQ(occurrences(page, "<svg"), 7U); // the campaign's figure, settlement and stress of three runs
+  // The campaign's figure; settlement and stress of three runs, their differences, and settlement over stages.
+  EXPECT_EQ(occurrences(page, "<svg"), 1U + 3U * 5U);
   EXPECT_EQ(occurrences(page, "Balance of mpm, stage by stage</caption>"), 3U);
 }
 
@@ -67,7 +70,7 @@ TEST(Page, LoadsNothingFromOutside) {
   EXPECT_THAT(page,
               HasSubstr("content=\"default-src 'none'; style-src 'unsafe-inline'; img-src data:; script-src 'sha256-"));
   for (const std::string& address : attributes(page, "href"))
-    EXPECT_THAT(address, testing::StartsWith("#"));
+    EXPECT_THAT(address, testing::AnyOf(testing::StartsWith("#"), testing::StartsWith("data:image/png;base64,")));
   EXPECT_TRUE(attributes(page, "src").empty());
 }
 
@@ -77,7 +80,7 @@ TEST(Page, HasUniqueIdsAndNoDeadLinks) {
   for (const std::string& id : attributes(page, "id"))
     EXPECT_TRUE(ids.insert(id).second) << id;
   for (const std::string& address : attributes(page, "href"))
-    EXPECT_TRUE(ids.contains(address.substr(1))) << address;
+    EXPECT_TRUE(address.starts_with("data:") || ids.contains(address.substr(1))) << address;
   for (const std::string& id : attributes(page, "aria-labelledby"))
     EXPECT_TRUE(ids.contains(id)) << id;
 }
@@ -239,12 +242,27 @@ TEST(Page, IsTheSameForTheSameOutcome) {
 }
 
 TEST(Page, StaysSmallForTheWholePaper) {
-  const CampaignOutcome outcome = synthetic_campaign({.runs = 25, .layers = 20, .points_per_layer = 8});
-  EXPECT_LT(html_report(outcome).size(), 3'000'000U);
+  CampaignOutcome outcome = synthetic_campaign({.runs = 25, .layers = 20, .points_per_layer = 8});
+  const std::size_t with_fields = html_report(outcome).size();
+  outcome.campaign.report.fields = false;
+  const std::size_t without = html_report(outcome).size();
+  EXPECT_LT(without, 25U * 130'000U); // 20 layers: profiles with their differences, and a row a stage of each balance
+  EXPECT_LT(with_fields - without, 25U * 2U * 60'000U); // a field picture takes 60 kB or less
+}
+
+TEST(Page, LeavesOutFieldPicturesOnRequest) {
+  CampaignOutcome outcome = synthetic_campaign({.runs = 1});
+  EXPECT_EQ(occurrences(html_report(outcome), "<figure class=\"fields\""), 2U);
+  outcome.campaign.report.fields = false;
+  EXPECT_EQ(occurrences(html_report(outcome), "<figure class=\"fields\""), 0U);
 }
 
 TEST(Page, IsBelow25KilobytesACase) {
-  const auto size = [](int runs) { return html_report(synthetic_campaign({.runs = runs})).size(); };
+  const auto size = [](int runs) {
+    CampaignOutcome outcome = synthetic_campaign({.runs = runs});
+    outcome.campaign.report.fields = false;
+    return html_report(outcome).size();
+  };
   EXPECT_LT((size(12) - size(2)) / 10, 25'000U); // 200 cases below 5 MB
 }
 

@@ -16,6 +16,13 @@ std::string gnuplot_script(const Plot& plot);
 /// A text as a gnuplot string: single quotes, in which nothing is substituted.
 std::string gnuplot_text(const std::string& text);
 
+/// What a curve is called in the key below a figure: on several rows where it is long.
+struct KeyText {
+  std::string title; ///< gnuplot's "title ..." of the curve, and an entry without a curve for each further row
+  std::size_t rows = 1;
+};
+KeyText key_text(const std::string& label);
+
 /// The part of a script that all figures share: the terminal, margins, a legend of so many rows below the plot.
 /// `left_margin`: room for the height axis [pixels of 540].
 std::string gnuplot_canvas(std::size_t legend_rows, int left_margin);

@@ -41,6 +41,12 @@ struct Drawing {
   std::vector<std::string> missing;
 };
 std::string figure_html(const Drawing& drawing);
+/// Settlement and vertical stress at the end of construction as they lie in space, of every solver of a run.
+std::string fields_html(const CampaignOutcome& outcome, const RunOutcome& run);
+/// What is exact of a run, typeset; a link where an earlier run has shown the same.
+std::string formulas_html(const CampaignOutcome& outcome, const RunOutcome& run);
+/// The largest settlement after each stage, drawn and in numbers; empty for a single stage.
+std::string history_html(const CampaignOutcome& outcome, const RunOutcome& run);
 /// The published numbers beside ours; empty where the campaign has none.
 std::string published_html(const CampaignOutcome& outcome);
 /// One run's section.

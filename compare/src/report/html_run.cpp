@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "case_entries.hpp"
+#include "difference_chart.hpp"
 #include "figure_data.hpp"
 #include "format.hpp"
 #include "html_parts.hpp"
@@ -23,11 +24,18 @@ data paragraphs(const std::vector<std::string>& texts) {
   return texts.empty() ? data(false) : list;
 }
 
+/// Beside the figure they are the differences of.
+std::string differences(Chart chart, const std::string& figure) {
+  chart.id = figure + "-differences";
+  return chart_html(std::move(chart));
+}
+
 std::string line_figures(const CampaignOutcome& outcome, const RunOutcome& run) {
   std::string html;
   for (Plot& plot : line_plots_of(run, outcome)) {
     plot.id = fmt::format("{}-{}", anchor_of(outcome, run), plot.id);
     html += figure_html(plot, "");
+    html += differences(difference_chart(run, plot.line, plot.quantity), plot.id);
   }
   return html;
 }
@@ -39,6 +47,7 @@ std::string figures(const CampaignOutcome& outcome, const RunOutcome& run) {
     Plot plot = plot_of(run, quantity, outcome);
     plot.id = fmt::format("{}-{}", anchor_of(outcome, run), name_of(quantity));
     html += figure_html(plot, "");
+    html += differences(difference_chart(run, quantity), plot.id);
   }
   return html;
 }
@@ -117,6 +126,9 @@ std::string run_html(const CampaignOutcome& outcome, const RunOutcome& run, cons
   section.set("tails", tails(run));
   section.set("key_figures", html_of(key_figure_table(run)));
   section.set("figures", figures(outcome, run));
+  section.set("exact", formulas_html(outcome, run));
+  section.set("history", history_html(outcome, run));
+  section.set("fields", fields_html(outcome, run));
   section.set("splits", run.splits.empty() ? data(false) : data(splits(run)));
   section.set("unaudited", paragraphs(unaudited_reactions(run)));
   section.set("balances", balances(run));

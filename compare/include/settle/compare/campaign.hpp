@@ -60,6 +60,11 @@ struct Published {
   std::string why; ///< the sentence that explains the difference
 };
 
+/// What the report shows besides what is judged.
+struct ReportOptions {
+  bool fields = true; ///< field pictures, of a refinement family those of its finest level
+};
+
 struct Campaign {
   int format = 1;
   std::string title;
@@ -69,6 +74,7 @@ struct Campaign {
   std::vector<RunEntry> runs;
   std::vector<Figure> figures;
   std::vector<Published> published;
+  ReportOptions report;
   std::filesystem::path file;
 };
 
