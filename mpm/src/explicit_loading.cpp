@@ -63,13 +63,13 @@ private:
     return update_stress_and_move(body_, gravity, dt, nodes_);
   }
   StepEnergy relax(const Gravity& gravity, double dt) {
-    const double kick = viscous_.damp(body_.points, dt);
     scatter_points(body_, gravity, nodes_);
     viscous_.know_forces(nodes_);
     sums_ = update_nodes(body_, 0.0, nodes_);
-    update_velocity_and_remap(body_, kick, nodes_);
+    update_velocity_and_remap(body_, viscous_.kick(dt), nodes_);
     const StepEnergy energy = update_stress_and_move(body_, gravity, dt, nodes_);
     viscous_.know_displacements(nodes_);
+    viscous_.damp(body_.points, dt);
     return energy;
   }
 

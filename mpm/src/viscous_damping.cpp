@@ -6,13 +6,23 @@
 namespace settle::mpm {
 
 template <int dim>
-double ViscousDamping<dim>::damp(Points<dim>& points, double dt) const {
-  const double c_dt = 2.0 * ratio_ * frequency_ * dt;
+double ViscousDamping<dim>::damping(double dt) const {
+  return 2.0 * ratio_ * frequency_ * dt;
+}
+
+template <int dim>
+double ViscousDamping<dim>::kick(double dt) const {
+  const double c_dt = damping(dt);
+  return 2.0 * dt / (2.0 + c_dt);
+}
+
+template <int dim>
+void ViscousDamping<dim>::damp(Points<dim>& points, double dt) const {
+  const double c_dt = damping(dt);
   const double kept = (2.0 - c_dt) / (2.0 + c_dt);
   for (auto& component : points.velocity)
     for (double& velocity : component)
       velocity *= kept;
-  return 2.0 * dt / (2.0 + c_dt);
 }
 
 template <int dim>
