@@ -34,8 +34,8 @@ int usual_points(MpmElement element) {
 void fill_dependent_defaults(Case& study) {
   Geometry& geometry = study.geometry;
   if (!study.mpm.points_per_element) study.mpm.points_per_element = usual_points(study.mpm.element);
-  std::optional<LinearSolver>& linear_solver = study.mpm.quasi_static.linear_solver;
-  if (!linear_solver) linear_solver = geometry.dimension == 2 ? LinearSolver::direct : LinearSolver::iterative;
+  std::optional<MpmLinearSolver>& linear_solver = study.mpm.quasi_static.linear_solver;
+  if (!linear_solver) linear_solver = geometry.dimension == 2 ? MpmLinearSolver::direct : MpmLinearSolver::iterative;
   ExplicitDynamic& time_steps = study.mpm.explicit_dynamic;
   if (!time_steps.ramp_time && time_steps.relaxation == Relaxation::local) time_steps.ramp_time = 10.0;
   if (!study.fem.increments) study.fem.increments = study.fem.kinematics == Kinematics::small ? 1 : 4;

@@ -7,9 +7,9 @@
 namespace settle::exchange {
 namespace {
 
+using document::entry;
 using document::List;
 using document::Table;
-using document::entry;
 using document::Value;
 
 Value whole_number(std::size_t number) {

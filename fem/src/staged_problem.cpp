@@ -147,8 +147,8 @@ template <int dim>
 void StagedProblem<dim>::choose_linear_solver() {
   prepared_ = false;
   constexpr unsigned few = 3000; // degrees of freedom: both take about as long
-  const bool multigrid = choice_ == exchange::LinearSolver::multigrid ||
-                         (choice_ == exchange::LinearSolver::automatic && dim == 3 && dofs_.n_dofs() > few);
+  const bool multigrid = choice_ == exchange::FemLinearSolver::multigrid ||
+                         (choice_ == exchange::FemLinearSolver::automatic && dim == 3 && dofs_.n_dofs() > few);
   if (!multigrid) {
     linear_solver_ = make_direct_solver();
     return;

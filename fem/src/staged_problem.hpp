@@ -99,7 +99,7 @@ private:
   [[nodiscard]] double out_of_balance() const;
   [[nodiscard]] double base_reaction() const;
 
-  exchange::LinearSolver choice_;
+  exchange::FemLinearSolver choice_;
   Elasticity constants_;
   std::unique_ptr<Formulation<dim>> formulation_;
   double density_; ///< [kg/m3]

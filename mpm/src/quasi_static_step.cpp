@@ -142,7 +142,7 @@ struct QuasiStaticStep<Space>::System {
   TangentMatrix tangent;
   TangentSolver solver;
 
-  explicit System(exchange::LinearSolver kind) : solver(kind) {}
+  explicit System(exchange::MpmLinearSolver kind) : solver(kind) {}
 
   void renumber(const Body<Space>& body) {
     Numbering numbering = number_unknowns(body);
@@ -187,7 +187,7 @@ struct QuasiStaticStep<Space>::System {
 };
 
 template <class Space>
-QuasiStaticStep<Space>::QuasiStaticStep(double tolerance, exchange::LinearSolver solver)
+QuasiStaticStep<Space>::QuasiStaticStep(double tolerance, exchange::MpmLinearSolver solver)
     : system_(std::make_unique<System>(solver)), tolerance_(tolerance) {}
 template <class Space>
 QuasiStaticStep<Space>::QuasiStaticStep(QuasiStaticStep&&) noexcept = default;

@@ -110,11 +110,11 @@ bool solve_by_lu(const Matrix& matrix, const Eigen::VectorXd& right_side, Eigen:
   return solution.allFinite();
 }
 
-std::unique_ptr<TangentSolver::Factor> factor_for(exchange::LinearSolver kind) {
+std::unique_ptr<TangentSolver::Factor> factor_for(exchange::MpmLinearSolver kind) {
   switch (kind) {
-  case exchange::LinearSolver::direct:
+  case exchange::MpmLinearSolver::direct:
     break;
-  case exchange::LinearSolver::iterative:
+  case exchange::MpmLinearSolver::iterative:
     return std::make_unique<IncompleteFactor>();
   }
   return std::make_unique<CompleteFactor>();
@@ -122,8 +122,8 @@ std::unique_ptr<TangentSolver::Factor> factor_for(exchange::LinearSolver kind) {
 
 } // namespace
 
-TangentSolver::TangentSolver(exchange::LinearSolver kind)
-    : factor_(factor_for(kind)), complete_(kind == exchange::LinearSolver::direct) {}
+TangentSolver::TangentSolver(exchange::MpmLinearSolver kind)
+    : factor_(factor_for(kind)), complete_(kind == exchange::MpmLinearSolver::direct) {}
 TangentSolver::TangentSolver(TangentSolver&&) noexcept = default;
 TangentSolver::~TangentSolver() = default;
 

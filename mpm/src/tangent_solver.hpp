@@ -23,7 +23,7 @@ class TangentSolver {
 public:
   using Matrix = Eigen::SparseMatrix<double>;
 
-  explicit TangentSolver(exchange::LinearSolver kind);
+  explicit TangentSolver(exchange::MpmLinearSolver kind);
   TangentSolver(TangentSolver&&) noexcept;
   ~TangentSolver();
 

@@ -62,7 +62,7 @@ TEST(CaseReading, EveryKeyOfTheMaterialPointMethodReachesItsMember) {
   EXPECT_EQ(mpm.scheme, Scheme::explicit_dynamic);
   EXPECT_EQ(mpm.quasi_static.increments, 7);
   EXPECT_EQ(mpm.quasi_static.residual, 1e-7);
-  EXPECT_EQ(mpm.quasi_static.linear_solver, LinearSolver::direct);
+  EXPECT_EQ(mpm.quasi_static.linear_solver, MpmLinearSolver::direct);
   EXPECT_EQ(mpm.explicit_dynamic.relaxation, Relaxation::local);
   EXPECT_EQ(mpm.explicit_dynamic.damping, 0.5);
   EXPECT_EQ(mpm.explicit_dynamic.courant, 0.8);
@@ -117,9 +117,9 @@ TEST(CaseReading, WhatIsLeftOutHasTheDefaultOfTheFormat) {
 }
 
 TEST(CaseReading, LinearSystemsAreSolvedDirectlyInThePlaneAndByIterationsInSpace) {
-  EXPECT_EQ(parse_case(smallest, "c").mpm.quasi_static.linear_solver, LinearSolver::direct);
+  EXPECT_EQ(parse_case(smallest, "c").mpm.quasi_static.linear_solver, MpmLinearSolver::direct);
   EXPECT_EQ(parse_case(smallest, "c", {"geometry.dimension=3"}).mpm.quasi_static.linear_solver,
-            LinearSolver::iterative);
+            MpmLinearSolver::iterative);
 }
 
 TEST(CaseReading, GravityIsRampedWithLocalDampingAndActsAtOnceUnderViscousRelaxation) {

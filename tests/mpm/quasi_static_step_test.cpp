@@ -73,12 +73,13 @@ TYPED_TEST(QuasiStaticStepOf, BaseCarriesTheWeightOfADistortedBody) {
 }
 
 TYPED_TEST(QuasiStaticStepOf, IterationsFindWhatTheFactorisationFinds) {
-  const auto solved = [](exchange::LinearSolver solver) {
+  const auto solved = [](exchange::MpmLinearSolver solver) {
     auto body = distorted_block<TypeParam>(StressIntegration::full_cells);
     EXPECT_TRUE(QuasiStaticStep<TypeParam>(tolerance, solver).advance(body, {.acceleration = 40.0}).converged);
     return body.points;
   };
-  const auto direct = solved(exchange::LinearSolver::direct), iterative = solved(exchange::LinearSolver::iterative);
+  const auto direct = solved(exchange::MpmLinearSolver::direct),
+             iterative = solved(exchange::MpmLinearSolver::iterative);
   for (std::size_t p = 0; p < direct.size(); ++p) // residuals of 1e-10, on a block of a few squares
     EXPECT_LT((direct.position_of(p) - iterative.position_of(p)).norm(), 1e-8);
 }

@@ -12,7 +12,7 @@ namespace settle::mpm::test {
 namespace {
 
 using Matrix = TangentSolver::Matrix;
-using exchange::LinearSolver;
+using exchange::MpmLinearSolver;
 
 constexpr double tolerance = 1e-10;
 
@@ -34,8 +34,9 @@ double residual(const Matrix& matrix, const Eigen::VectorXd& right_side, const E
   return (matrix * solution - right_side).norm() / right_side.norm();
 }
 
-class EveryTangentSolver : public testing::TestWithParam<LinearSolver> {};
-INSTANTIATE_TEST_SUITE_P(Kinds, EveryTangentSolver, testing::Values(LinearSolver::direct, LinearSolver::iterative),
+class EveryTangentSolver : public testing::TestWithParam<MpmLinearSolver> {};
+INSTANTIATE_TEST_SUITE_P(Kinds, EveryTangentSolver,
+                         testing::Values(MpmLinearSolver::direct, MpmLinearSolver::iterative),
                          [](const auto& kind) { return std::string(name_of(kind.param)); });
 
 TEST_P(EveryTangentSolver, SolvesAnUnsymmetricSystemToItsTolerance) {
@@ -88,7 +89,7 @@ TEST(TangentSolver, AFactorisationThatHasBecomeABadOneIsMadeAnewForTheNextSystem
     scale[i] = 1.0 + 0.2 * (i % 7);
   second = (scale.asDiagonal() * second * scale.asDiagonal()).eval();
   const Eigen::VectorXd right_side = Eigen::VectorXd::Ones(60);
-  TangentSolver solver(LinearSolver::direct);
+  TangentSolver solver(MpmLinearSolver::direct);
   Eigen::VectorXd solution;
   ASSERT_TRUE(solver.solve(chain(60, 1.0, 0.0), right_side, tolerance, solution));
   for (int k = 0; k < 3; ++k) {
@@ -101,7 +102,7 @@ TEST(TangentSolver, AFactorisationThatHasBecomeABadOneIsMadeAnewForTheNextSystem
 TEST(TangentSolver, DirectSolvesAlsoWhatIsFarFromSymmetric) {
   Matrix matrix = chain(40, 1.0, 30.0); // almost a rotation
   Eigen::VectorXd solution;
-  ASSERT_TRUE(TangentSolver(LinearSolver::direct).solve(matrix, Eigen::VectorXd::Ones(40), tolerance, solution));
+  ASSERT_TRUE(TangentSolver(MpmLinearSolver::direct).solve(matrix, Eigen::VectorXd::Ones(40), tolerance, solution));
   EXPECT_LE(residual(matrix, Eigen::VectorXd::Ones(40), solution), 2.0 * tolerance);
 }
 

@@ -138,7 +138,8 @@ private:
       copy.append_attribute("y").set_value(short_coordinate(y).c_str());
     } else {
       copy.append_attribute("transform")
-          .set_value(fmt::format("translate({} {})rotate({})", short_coordinate(x), short_coordinate(y), angle).c_str());
+          .set_value(
+              fmt::format("translate({} {})rotate({})", short_coordinate(x), short_coordinate(y), angle).c_str());
     }
     const std::string_view text = element.text().get();
     copy.text().set(std::string(text.substr(std::min(text.find_first_not_of(' '), text.size()))).c_str());

@@ -23,7 +23,7 @@ enum class Integration { mixed, points };
 enum class RefillRule { sub_element, element };
 enum class Scheme { quasi_static, explicit_dynamic };
 /// How the linear systems of the quasi-static scheme are solved.
-enum class LinearSolver { direct, iterative };
+enum class MpmLinearSolver { direct, iterative };
 /// How the explicit scheme comes to rest.
 enum class Relaxation { local, viscous };
 enum class FemElement { Q1, Q2 };
@@ -31,7 +31,7 @@ enum class Kinematics { small, finite };
 
 /// How the finite element method solves the linear equations of an increment. automatic: `direct` in the plane, in
 /// space `multigrid` but for a few cells.
-enum class LinearSolver { automatic, direct, multigrid };
+enum class FemLinearSolver { automatic, direct, multigrid };
 enum class Quantity {
   settlement,
   displacement, ///< all components
@@ -94,7 +94,7 @@ struct EnumNames<Scheme> {
   static constexpr std::array<std::string_view, 2> names{"quasi-static", "explicit"};
 };
 template <>
-struct EnumNames<LinearSolver> {
+struct EnumNames<MpmLinearSolver> {
   static constexpr std::array<std::string_view, 2> names{"direct", "iterative"};
 };
 template <>
@@ -110,7 +110,7 @@ struct EnumNames<Kinematics> {
   static constexpr std::array<std::string_view, 2> names{"small", "finite"};
 };
 template <>
-struct EnumNames<LinearSolver> {
+struct EnumNames<FemLinearSolver> {
   static constexpr std::array<std::string_view, 3> names{"automatic", "direct", "multigrid"};
 };
 template <>
@@ -209,9 +209,10 @@ struct Construction {
 };
 
 struct QuasiStatic {
-  int increments = 20;                         ///< of a layer's gravity, per stage
-  double residual = 1e-9;                      ///< relative out-of-balance force accepted per increment [-]
-  std::optional<LinearSolver> linear_solver{}; ///< set by `read_case`: direct in 2-D, iterative in 3-D where left out
+  int increments = 20;    ///< of a layer's gravity, per stage
+  double residual = 1e-9; ///< relative out-of-balance force accepted per increment [-]
+  std::optional<MpmLinearSolver>
+      linear_solver{}; ///< set by `read_case`: direct in 2-D, iterative in 3-D where left out
 };
 
 struct ExplicitDynamic {
@@ -247,7 +248,7 @@ struct Fem {
   double element_size = 0.125; ///< [m]
   Kinematics kinematics = Kinematics::small;
   std::optional<int> increments{}; ///< per stage; set by `read_case`: 1 (small), 4 (finite) where left out
-  LinearSolver linear_solver = LinearSolver::automatic;
+  FemLinearSolver linear_solver = FemLinearSolver::automatic;
   int threads = 1; ///< the result is the same, to the bit, for the same number
 };
 

@@ -29,7 +29,7 @@ template <class Space>
 class QuasiStaticStep {
 public:
   /// `tolerance`: relative out-of-balance force at which an increment has converged.
-  explicit QuasiStaticStep(double tolerance, exchange::LinearSolver solver = exchange::LinearSolver::direct);
+  explicit QuasiStaticStep(double tolerance, exchange::MpmLinearSolver solver = exchange::MpmLinearSolver::direct);
   QuasiStaticStep(QuasiStaticStep&&) noexcept;
   ~QuasiStaticStep();
 
