@@ -31,12 +31,12 @@ Body<Space> tracked_block(exchange::Law law, StressIntegration integration) {
 /// Moves every node by a vertical displacement that is linear in height.
 template <class Space>
 void compress(Body<Space>& body, double ratio) {
-  Nodes<2> nodes(static_cast<std::size_t>(body.space.n_nodes()));
-  for (std::size_t n = 0; n < nodes.size(); ++n) {
-    nodes[n].mass = 1.0;
-    nodes[n].remapped[1] = (ratio - 1.0) * body.space.node_position(static_cast<int>(n))[1];
-  }
-  update_stress_and_move(body, {}, 1.0, nodes);
+  ExplicitStep<Space> step(body);
+  step.scatter({});
+  for (int n = 0; n < body.space.n_nodes(); ++n)
+    step.set_displacement(n, {0.0, (ratio - 1.0) * body.space.node_position(n)[1]});
+  step.move();
+  step.gather();
 }
 
 /// Vertical Cauchy stress of a stretch along the vertical alone.
