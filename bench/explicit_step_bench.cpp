@@ -20,10 +20,10 @@ constexpr double height = 5.0; ///< [m]
 /// A square body of n x n squares that fill the grid but for its uppermost row, as the paper's soil, on rollers.
 template <class Space>
 Body<Space> body_of(int n, StressIntegration integration) {
-  const Space space(GridBox{.columns = n, .rows = n + 1, .size = height / n});
+  const Space space(GridBox<2>{.counts = {n, n + 1}, .size = height / n});
   Body<Space> body{.space = space,
                    .points = {},
-                   .layout = std::is_same_v<Space, TriangleSpace> ? triangle_layout() : lattice_layout(2),
+                   .layout = std::is_same_v<Space, TriangleSpace> ? triangle_layout() : lattice_layout<2>(2),
                    .cells = {},
                    .fixed = oedometer_supports(space),
                    .lame = Lame::from(400e3, 0.25),
@@ -164,15 +164,15 @@ BENCHMARK(triad)->ArgName("threads")->Apply([](auto* benchmark) {
 })->UseRealTime();
 BENCHMARK_TEMPLATE(whole_step, TriangleSpace, mixed)->Apply(sizes);
 BENCHMARK_TEMPLATE(whole_step, QuadrilateralSpace, mixed)->Apply(sizes);
-BENCHMARK_TEMPLATE(whole_step, BSplineSpace, by_points)->Apply(sizes);
+BENCHMARK_TEMPLATE(whole_step, BSplineSpace<2>, by_points)->Apply(sizes);
 BENCHMARK_TEMPLATE(whole_step, QuadrilateralSpace, by_points)->Apply(one_size);
-BENCHMARK_TEMPLATE(whole_step, BSplineSpace, mixed)->Apply(one_size);
-BENCHMARK_TEMPLATE(whole_step, GimpSpace, by_points)->Apply(one_size);
+BENCHMARK_TEMPLATE(whole_step, BSplineSpace<2>, mixed)->Apply(one_size);
+BENCHMARK_TEMPLATE(whole_step, GimpSpace<2>, by_points)->Apply(one_size);
 BENCHMARK_TEMPLATE(crossing_step, TriangleSpace, mixed)->Apply(one_size);
 BENCHMARK_TEMPLATE(crossing_step, QuadrilateralSpace, mixed)->Apply(one_size);
 BENCHMARK_TEMPLATE(one_phase, TriangleSpace, mixed)->Apply(phases);
 BENCHMARK_TEMPLATE(one_phase, QuadrilateralSpace, mixed)->Apply(phases);
-BENCHMARK_TEMPLATE(one_phase, BSplineSpace, by_points)->Apply(phases);
+BENCHMARK_TEMPLATE(one_phase, BSplineSpace<2>, by_points)->Apply(phases);
 
 } // namespace
 } // namespace settle::mpm

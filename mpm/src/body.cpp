@@ -11,21 +11,21 @@ void replace_stress_by_cell_average(Body<Space>& body) {
   for (const int cell : body.cells.occupied) {
     const PointRange range = points_in(body, cell);
     const auto average = average_stress_of(body.points, range).average;
-    for (std::size_t p = range.first; p < range.last; ++p) {
-      body.points.stress[0][p] = average.tensor(0, 0);
-      body.points.stress[1][p] = average.tensor(1, 1);
-      body.points.stress[2][p] = average.out_of_plane;
-      body.points.stress[3][p] = average.tensor(0, 1);
-    }
+    for (std::size_t p = range.first; p < range.last; ++p)
+      set_stress(body.points, p, average);
   }
 }
 
 template <class Space>
 std::vector<PerAxis<bool, Space::dim>> oedometer_supports(const Space& space) {
+  constexpr std::size_t vertical = Space::dim - 1;
+  const auto& numbering = space.node_numbering();
   std::vector<PerAxis<bool, Space::dim>> fixed(static_cast<std::size_t>(space.n_nodes()));
   for (int node = 0; node < space.n_nodes(); ++node) {
-    const int column = node % space.node_columns(), row = node / space.node_columns();
-    fixed[static_cast<std::size_t>(node)] = {column == 0 || column == space.node_columns() - 1, row == 0};
+    const auto index = numbering.index(node);
+    auto& held = fixed[static_cast<std::size_t>(node)];
+    for (std::size_t d = 0; d <= vertical; ++d)
+      held[d] = index[d] == 0 || (d != vertical && index[d] == numbering.counts[d] - 1);
   }
   return fixed;
 }
@@ -41,7 +41,9 @@ double total_volume(const Points<dim>& points) {
 }
 
 template double total_mass(const Points<2>&);
+template double total_mass(const Points<3>&);
 template double total_volume(const Points<2>&);
+template double total_volume(const Points<3>&);
 
 #define SETTLE_INSTANTIATE(Space)                                                                                      \
   template void replace_stress_by_cell_average(Body<Space>&);                                                          \

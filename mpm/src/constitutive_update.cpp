@@ -17,20 +17,6 @@ auto with_hyperelastic_law(const Body<Space>& body, Action&& action) {
   return action(std::type_identity<NeoHookean<Space::dim>>());
 }
 
-Stress<2> stress_of(const Points<2>& points, std::size_t p) {
-  Stress<2> stress;
-  stress.tensor << points.stress[0][p], points.stress[3][p], points.stress[3][p], points.stress[1][p];
-  stress.out_of_plane = points.stress[2][p];
-  return stress;
-}
-
-void set_stress(Points<2>& points, std::size_t p, const Stress<2>& stress) {
-  points.stress[0][p] = stress.tensor(0, 0);
-  points.stress[1][p] = stress.tensor(1, 1);
-  points.stress[2][p] = stress.out_of_plane;
-  points.stress[3][p] = stress.tensor(0, 1);
-}
-
 /// Variation of b = F F^T by a displacement whose gradient is e_direction (x) e_axis.
 template <int dim>
 Tensor<dim> variation_of_b(const Tensor<dim>& b, int direction, int axis) {

@@ -13,30 +13,32 @@ namespace settle::mpm {
 
 namespace {
 
-PointLayout layout_of(const exchange::Case& study) {
-  if (study.mpm.element == exchange::MpmElement::triangle) return triangle_layout();
-  return lattice_layout(static_cast<int>(std::lround(std::sqrt(*study.mpm.points_per_element))));
+template <int dim>
+PointLayout<dim> layout_of(const exchange::Case& study) {
+  if constexpr (dim == 2)
+    if (study.mpm.element == exchange::MpmElement::triangle) return triangle_layout();
+  return lattice_layout<dim>(static_cast<int>(std::lround(std::pow(*study.mpm.points_per_element, 1.0 / dim))));
 }
 
-GridBox grid_in_column(const exchange::Case& study) {
+template <int dim>
+GridBox<dim> grid_in_column(const exchange::Case& study) {
   const auto counts = exchange::count_elements(study, "mpm.element_size", study.mpm.element_size);
-  return {.columns = counts.across,
-          .rows = counts.per_layer * study.construction.layers + 1,
-          .size = study.geometry.width / counts.across};
+  GridBox<dim> box{.counts = {}, .size = study.geometry.width / counts.across};
+  box.counts[0] = counts.across;
+  if constexpr (dim == 3) box.counts[1] = counts.deep;
+  box.counts.back() = counts.per_layer * study.construction.layers + 1;
+  return box;
 }
 
-} // namespace
-
+/// An empty body without supports.
 template <class Space>
-Body<Space> empty_body(const exchange::Case& study) {
-  const bool column = study.geometry.shape == exchange::Shape::column;
+Body<Space> unsupported_body(const exchange::Case& study, const Space& space) {
   const auto& fill = study.fill();
-  const Space space(column ? grid_in_column(study) : grid_around(study));
   Body<Space> body{.space = space,
                    .points = {},
-                   .layout = layout_of(study),
+                   .layout = layout_of<Space::dim>(study),
                    .cells = {},
-                   .fixed = column ? oedometer_supports(space) : polygon_supports(study, space),
+                   .fixed = {},
                    .lame = Lame::from(fill.youngs_modulus, fill.poissons_ratio),
                    .density = fill.density,
                    .integration = study.mpm.integration == exchange::Integration::mixed ? StressIntegration::full_cells
@@ -49,9 +51,24 @@ Body<Space> empty_body(const exchange::Case& study) {
   return body;
 }
 
+} // namespace
+
+template <class Space>
+Body<Space> empty_body(const exchange::Case& study) {
+  if constexpr (Space::dim == 2)
+    if (study.geometry.shape == exchange::Shape::polygons) {
+      Body<Space> body = unsupported_body(study, Space(grid_around(study)));
+      body.fixed = polygon_supports(study, body.space);
+      return body;
+    }
+  Body<Space> body = unsupported_body(study, Space(grid_in_column<Space::dim>(study)));
+  body.fixed = oedometer_supports(body.space);
+  return body;
+}
+
 template <class Space>
 double mean_surface(const Body<Space>& body) {
-  return body.space.origin()[1] + total_volume(body.points) / body.space.width();
+  return body.space.origin()[Space::dim - 1] + total_volume(body.points) / body.space.plan_area();
 }
 
 template <class Space>
@@ -72,7 +89,7 @@ LayerPlacement placement_of(const exchange::Case& study, int layer, const Body<S
 
 template <class Space>
 void require_supported(const exchange::Case& study, const LayerPlacement& placement, const Body<Space>& body) {
-  const double base = placement.base - body.space.origin()[1];
+  const double base = placement.base - body.space.origin()[Space::dim - 1];
   const int row_below = static_cast<int>(std::lround(base / body.space.size())) - 1;
   if (row_below < 0) return;
   for (int column = 0; column < body.space.columns(); ++column) {

@@ -19,7 +19,7 @@ Body<Space> empty_body(const exchange::Case& study);
 template <class Space>
 LayerPlacement placement_of(const exchange::Case& study, int layer, const Body<Space>& body);
 
-/// Height of the settled surface: all points' volume over the width [m].
+/// Height of the settled surface: all points' volume over the width, in 3-D over the plan's area [m].
 template <class Space>
 double mean_surface(const Body<Space>& body);
 

@@ -45,6 +45,6 @@ StageReport run_motion(Body<Space>& body, const StageLoad& load, double courant,
 }
 
 #define SETTLE_INSTANTIATE(Space) template StageReport run_motion(Body<Space>&, const StageLoad&, double, int);
-SETTLE_FOR_EVERY_SPACE(SETTLE_INSTANTIATE)
+SETTLE_FOR_EVERY_PLANE_SPACE(SETTLE_INSTANTIATE)
 
 } // namespace settle::mpm

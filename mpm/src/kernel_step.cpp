@@ -419,6 +419,6 @@ void KernelStep<Space>::set_displacement(int node, const Vector<dim>& displaceme
 
 template class KernelStep<TriangleSpace>;
 template class KernelStep<QuadrilateralSpace>;
-template class KernelStep<BSplineSpace>;
+template class KernelStep<BSplineSpace<2>>;
 
 } // namespace settle::mpm

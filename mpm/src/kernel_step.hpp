@@ -15,7 +15,7 @@ namespace settle::mpm {
 /// Has this space kernels? The others go point by point.
 template <class Space>
 inline constexpr bool has_kernels = std::is_same_v<Space, TriangleSpace> || std::is_same_v<Space, QuadrilateralSpace> ||
-                                    std::is_same_v<Space, BSplineSpace>;
+                                    std::is_same_v<Space, BSplineSpace<2>>;
 
 /// The phases of ExplicitStep. Rows of squares are taken in strips that depend on the grid alone, and every sum is over
 /// a strip first: results do not depend on the number of threads.

@@ -10,9 +10,10 @@ namespace settle::mpm {
 namespace {
 
 /// The box that a square's points fill: the square itself, or a slice of a layer of another height.
+template <int dim>
 struct Box {
-  Vector<2> corner;
-  Vector<2> size;
+  Vector<dim> corner;
+  Vector<dim> size;
 };
 
 /// What a new point has besides its place.
@@ -23,9 +24,9 @@ struct Origin {
 
 /// Places the points of the `which`-th cell of a square.
 template <class Space>
-void fill_cell(Body<Space>& body, const Box& box, std::size_t which, const Origin& origin) {
+void fill_cell(Body<Space>& body, const Box<Space::dim>& box, std::size_t which, const Origin& origin) {
   const double volume = box.size.prod() / static_cast<double>(body.layout.points_per_square());
-  for (const Vector<2>& local : body.layout.cells[which])
+  for (const Vector<Space::dim>& local : body.layout.cells[which])
     body.points.add({.layer = origin.layer,
                      .refilled = origin.refilled,
                      .position = box.corner + local.cwiseProduct(box.size),
@@ -38,21 +39,25 @@ void fill_cell(Body<Space>& body, const Box& box, std::size_t which, const Origi
 
 template <class Space>
 void place_layer(Body<Space>& body, const LayerPlacement& placement) {
+  constexpr int vertical = Space::dim - 1;
   const double size = body.space.size();
   const int rows = std::max(1, static_cast<int>(std::lround(placement.thickness / size)));
   const double height = placement.thickness / rows;
   for (int row = 0; row < rows; ++row)
     for (int column = 0; column < body.space.columns(); ++column) {
-      const double left = body.space.corner(column, 0)[0];
+      Box<Space::dim> box{body.space.corner(column, 0), Vector<Space::dim>::Constant(size)};
+      box.corner[vertical] = placement.base + row * height;
+      box.size[vertical] = height;
       for (std::size_t which = 0; which < body.layout.cells.size(); ++which)
-        fill_cell(body, {{left, placement.base + row * height}, {size, height}}, which, {.layer = placement.layer});
+        fill_cell(body, box, which, {.layer = placement.layer});
     }
 }
 
 template <class Space>
 void refill_cell(Body<Space>& body, int cell, int layer) {
   const auto& space = body.space;
-  const Box square{space.corner(space.column_of(cell), space.row_of(cell)), Vector<2>::Constant(space.size())};
+  const Box<Space::dim> square{space.corner(space.column_of(cell), space.row_of(cell)),
+                               Vector<Space::dim>::Constant(space.size())};
   fill_cell(body, square, static_cast<std::size_t>(cell % Space::cells_per_square), {.layer = layer, .refilled = true});
 }
 
@@ -63,15 +68,25 @@ double refill_row_height(const Body<Space>& body) {
 
 template <class Space>
 void refill_row(Body<Space>& body, const RefillRow& row) {
-  const int count = body.layout.row_points;
-  const double spacing = body.space.size() / count, left = body.space.corner(row.column, 0)[0];
-  for (int i = 0; i < count; ++i)
+  constexpr int dim = Space::dim;
+  BoxNumbering<dim - 1> plan{};
+  plan.counts.fill(body.layout.row_points);
+  const double spacing = body.space.size() / body.layout.row_points;
+  const Vector<dim> corner = body.space.corner(row.column, 0);
+  Vector<dim> sides = Vector<dim>::Constant(spacing);
+  sides[dim - 1] = row.height;
+  for (int i = 0; i < plan.size(); ++i) {
+    Vector<dim> position;
+    for (std::size_t d = 0; d < dim - 1; ++d)
+      position[static_cast<int>(d)] = corner[static_cast<int>(d)] + (plan.index(i)[d] + 0.5) * spacing;
+    position[dim - 1] = row.top - 0.5 * row.height;
     body.points.add({.layer = row.layer,
                      .refilled = true,
-                     .position = {left + (i + 0.5) * spacing, row.top - 0.5 * row.height},
-                     .volume = spacing * row.height,
+                     .position = position,
+                     .volume = sides.prod(),
                      .density = body.density,
-                     .half_lengths = {0.5 * spacing, 0.5 * row.height}});
+                     .half_lengths = 0.5 * sides});
+  }
 }
 
 template <class Space>
@@ -80,7 +95,7 @@ std::vector<double> column_heights(const Body<Space>& body) {
   for (std::size_t p = 0; p < body.points.size(); ++p)
     heights[static_cast<std::size_t>(body.space.column_of(body.points.cell[p]))] += body.points.volume[p];
   for (double& height : heights)
-    height = body.space.origin()[1] + height / body.space.size();
+    height = body.space.origin()[Space::dim - 1] + height / body.space.column_area();
   return heights;
 }
 

@@ -65,5 +65,6 @@ void Points<dim>::permute(const std::vector<std::uint32_t>& order) {
 }
 
 template struct Points<2>;
+template struct Points<3>;
 
 } // namespace settle::mpm

@@ -47,14 +47,14 @@ void for_each_held(const exchange::Case& study, const Space& space, Action&& act
 
 } // namespace
 
-GridBox grid_around(const exchange::Case& study) {
+GridBox<2> grid_around(const exchange::Case& study) {
   const exchange::PlaneBox box = exchange::bounding_box(study.geometry);
   const double size = study.mpm.element_size;
   const auto squares = [&](std::size_t axis) {
     const double needed = (box.highest[axis] - box.lowest[axis]) / size;
     return static_cast<int>(std::ceil(needed * (1.0 - relative_slack))) + (held_at_end(study, box, axis) ? 0 : 1);
   };
-  return {.columns = squares(0), .rows = squares(1), .size = size, .origin = {box.lowest[0], box.lowest[1]}};
+  return {.counts = {squares(0), squares(1)}, .size = size, .origin = {box.lowest[0], box.lowest[1]}};
 }
 
 template <class Space>
@@ -98,6 +98,6 @@ void place_polygons(const exchange::Case& study, int layer, Body<Space>& body) {
   template std::vector<PerAxis<bool, 2>> polygon_supports(const exchange::Case&, const Space&);                        \
   template std::vector<FollowingNode> following_nodes(const exchange::Case&, const Space&);                            \
   template void place_polygons(const exchange::Case&, int, Body<Space>&);
-SETTLE_FOR_EVERY_SPACE(SETTLE_INSTANTIATE)
+SETTLE_FOR_EVERY_PLANE_SPACE(SETTLE_INSTANTIATE)
 
 } // namespace settle::mpm

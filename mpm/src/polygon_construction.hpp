@@ -13,7 +13,7 @@ namespace settle::mpm {
 
 /// A grid of squares from the lower left corner of the polygons' extent, with one more square than the extent needs on
 /// the right and above where nothing is held there, for free boundaries to move in.
-GridBox grid_around(const exchange::Case& study);
+GridBox<2> grid_around(const exchange::Case& study);
 
 /// Which nodes the case's supports hold: those on the support and beyond it, seen from the body, up to a square's
 /// diagonal past its ends. A grid at an angle has no nodes on the boundary itself; the ones beyond stand for it.

@@ -26,7 +26,7 @@ template <class Space>
 int refill_empty_cells(Body<Space>& body, const Refill& refill) {
   const auto before = body.points.size();
   const auto row_at = [&](double level) {
-    return static_cast<int>(std::lround((level - body.space.origin()[1]) / body.space.size()));
+    return static_cast<int>(std::lround((level - body.space.origin()[Space::dim - 1]) / body.space.size()));
   };
   const int first = Space::cells_per_square * body.space.columns() * row_at(refill.lower_level);
   const int last = Space::cells_per_square * body.space.columns() * row_at(refill.design_level);

@@ -17,16 +17,20 @@ Vector<2> placed_position(const Points<2>& points, std::size_t p) {
 
 } // namespace
 
-SampledValues sampled_values(const Points<2>& points, std::size_t p) {
-  SampledValues values;
-  for (std::size_t d = 0; d < 2; ++d)
+template <int dim>
+SampledValues<dim> sampled_values(const Points<dim>& points, std::size_t p) {
+  SampledValues<dim> values;
+  for (std::size_t d = 0; d < dim; ++d)
     values[static_cast<int>(d)] = points.position[d][p] - points.placed[d][p];
-  for (std::size_t c = 0; c < 4; ++c)
-    values[static_cast<int>(2 + c)] = points.stress[c][p];
+  for (std::size_t c = 0; c < stress_size<dim>; ++c)
+    values[static_cast<int>(dim + c)] = points.stress[c][p];
   return values;
 }
 
-SampledValues sample_at(const Points<2>& points, const std::vector<std::size_t>& among, const Vector<2>& placed) {
+template SampledValues<2> sampled_values(const Points<2>&, std::size_t);
+template SampledValues<3> sampled_values(const Points<3>&, std::size_t);
+
+SampledValues<2> sample_at(const Points<2>& points, const std::vector<std::size_t>& among, const Vector<2>& placed) {
   std::vector<std::size_t> nearest = among;
   const auto distance = [&](std::size_t p) { return (placed_position(points, p) - placed).norm(); };
   const std::size_t count = std::min(points_of_a_fit, nearest.size());

@@ -8,14 +8,16 @@
 
 namespace settle::mpm {
 
-/// What is sampled: displacement (2) and stress (4).
-using SampledValues = Eigen::Matrix<double, 6, 1>;
+/// What is sampled: displacement (dim) and stress (`stress_size`).
+template <int dim>
+using SampledValues = Vector<dim + static_cast<int>(stress_size<dim>)>;
 
 /// Of one point.
-SampledValues sampled_values(const Points<2>& points, std::size_t p);
+template <int dim>
+SampledValues<dim> sampled_values(const Points<dim>& points, std::size_t p);
 
 /// At a placed position, from the points named: a plane through the nearest of them by least squares, near ones
 /// weighing more. Exact for linear fields, between the points and beyond them.
-SampledValues sample_at(const Points<2>& points, const std::vector<std::size_t>& among, const Vector<2>& placed);
+SampledValues<2> sample_at(const Points<2>& points, const std::vector<std::size_t>& among, const Vector<2>& placed);
 
 } // namespace settle::mpm

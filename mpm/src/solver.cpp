@@ -17,14 +17,15 @@ namespace {
 /// Calls `action` with the type of the case's space, std::type_identity<Space>.
 template <class Action>
 auto with_space(const exchange::Case& study, Action&& action) {
+  if (study.geometry.dimension == 3) return action(std::type_identity<HexahedronSpace>());
   if (study.mpm.element == exchange::MpmElement::triangle) return action(std::type_identity<TriangleSpace>());
   switch (study.mpm.basis) { // `require_solvable` lets no other element pass
   case exchange::Basis::linear:
     break;
   case exchange::Basis::gimp:
-    return action(std::type_identity<GimpSpace>());
+    return action(std::type_identity<GimpSpace<2>>());
   case exchange::Basis::b_spline:
-    return action(std::type_identity<BSplineSpace>());
+    return action(std::type_identity<BSplineSpace<2>>());
   }
   return action(std::type_identity<QuadrilateralSpace>());
 }
@@ -40,9 +41,12 @@ Refill refill_of(const exchange::Case& study, int layer) {
 
 template <class Space>
 std::unique_ptr<const Drive> drive_of(const exchange::Case& study, const Space& space) {
-  if (!study.motion) return nullptr;
-  const Inertia inertia = study.mpm.scheme == exchange::Scheme::quasi_static ? Inertia::taken_off : Inertia::felt;
-  return std::make_unique<const Drive>(study, inertia, following_nodes(study, space));
+  if constexpr (Space::dim == 2)
+    if (study.motion) {
+      const Inertia inertia = study.mpm.scheme == exchange::Scheme::quasi_static ? Inertia::taken_off : Inertia::felt;
+      return std::make_unique<const Drive>(study, inertia, following_nodes(study, space));
+    }
+  return nullptr;
 }
 
 template <class Space>
@@ -53,18 +57,20 @@ StageReport load(const exchange::Case& study, const StageLoad& stage, Body<Space
   case exchange::Scheme::explicit_dynamic:
     break;
   }
-  if (stage.drive != nullptr && stage.drive->runs_in_time())
-    return run_motion(body, stage, study.mpm.explicit_dynamic.courant, study.mpm.threads);
+  if constexpr (Space::dim == 2)
+    if (stage.drive != nullptr && stage.drive->runs_in_time())
+      return run_motion(body, stage, study.mpm.explicit_dynamic.courant, study.mpm.threads);
   return load_explicit(body, stage, study.mpm.explicit_dynamic, study.mpm.threads);
 }
 
 template <class Space>
 void place(const exchange::Case& study, const LayerPlacement& placement, Body<Space>& body) {
-  if (study.geometry.shape == exchange::Shape::polygons) {
-    place_polygons(study, placement.layer, body);
-    body.sort();
-    return;
-  }
+  if constexpr (Space::dim == 2)
+    if (study.geometry.shape == exchange::Shape::polygons) {
+      place_polygons(study, placement.layer, body);
+      body.sort();
+      return;
+    }
   place_layer(body, placement);
   body.sort();
   if (study.construction.convention == exchange::Convention::drop && study.mpm.scheme == exchange::Scheme::quasi_static)
@@ -72,7 +78,8 @@ void place(const exchange::Case& study, const LayerPlacement& placement, Body<Sp
 }
 
 /// Mass of the points added to a layer, counted on its own so that the balance of a stage can be held against it.
-double refilled_mass(const Points<2>& points, int layer) {
+template <int dim>
+double refilled_mass(const Points<dim>& points, int layer) {
   double mass = 0;
   for (std::size_t p = 0; p < points.size(); ++p)
     if (points.refilled[p] != 0 && points.layer[p] == layer) mass += points.mass[p];

@@ -4,15 +4,38 @@
 
 namespace settle::mpm {
 
-PointLost::PointLost(std::uint64_t id, const Vector<2>& position, const GridBox& box)
+namespace {
+
+/// "a, b" or "[a, b] x [c, d]": one part for each axis.
+template <int dim, class Part>
+std::string joined(const char* separator, Part&& part) {
+  std::string text = part(0);
+  for (int d = 1; d < dim; ++d)
+    text += separator + part(d);
+  return text;
+}
+
+} // namespace
+
+template <int dim>
+PointLost::PointLost(std::uint64_t id, const Vector<dim>& position, const GridBox<dim>& box)
     : exchange::Error(
           exchange::ExitCode::solver_failed,
-          exchange::to_text({.where = fmt::format("material point {}", id),
-                             .what = "has left the background grid",
-                             .given = fmt::format("position ({:g}, {:g}) m", position[0], position[1]),
-                             .allowed = fmt::format("[{:g}, {:g}] x [{:g}, {:g}] m", box.origin[0],
-                                                    box.origin[0] + box.columns * box.size, box.origin[1],
-                                                    box.origin[1] + box.rows * box.size),
-                             .remedy = "take a smaller mpm.explicit.courant or more mpm.quasi_static.increments"})) {}
+          exchange::to_text(
+              {.where = fmt::format("material point {}", id),
+               .what = "has left the background grid",
+               .given = fmt::format("position ({}) m",
+                                    joined<dim>(", ", [&](int d) { return fmt::format("{:g}", position[d]); })),
+               .allowed = joined<dim>(" x ",
+                                      [&](int d) {
+                                        const int count = box.counts[static_cast<std::size_t>(d)];
+                                        return fmt::format("[{:g}, {:g}]", box.origin[d],
+                                                           box.origin[d] + count * box.size);
+                                      }) +
+                          " m",
+               .remedy = "take a smaller mpm.explicit.courant or more mpm.quasi_static.increments"})) {}
+
+template PointLost::PointLost(std::uint64_t, const Vector<2>&, const GridBox<2>&);
+template PointLost::PointLost(std::uint64_t, const Vector<3>&, const GridBox<3>&);
 
 } // namespace settle::mpm

@@ -7,7 +7,8 @@
 
 namespace settle::mpm {
 
-exchange::SamplePoints sample_points(const Points<2>& points) {
+template <int dim>
+exchange::SamplePoints sample_points(const Points<dim>& points) {
   exchange::SamplePoints samples;
   samples.id = points.id;
   samples.layer = points.layer;
@@ -15,28 +16,33 @@ exchange::SamplePoints sample_points(const Points<2>& points) {
   samples.volume = points.volume;
   for (std::size_t p = 0; p < points.size(); ++p) {
     samples.density.push_back(points.density(p));
-    for (std::size_t d = 0; d < 2; ++d) {
+    for (std::size_t d = 0; d < dim; ++d) {
       samples.placed_position.push_back(points.placed[d][p]);
       samples.position.push_back(points.position[d][p]);
       samples.displacement.push_back(points.position[d][p] - points.placed[d][p]);
     }
     for (const auto& component : points.stress)
       samples.stress.push_back(component[p]);
-    samples.stress.insert(samples.stress.end(), 2, 0.0);
+    samples.stress.resize(recorded_stress_size * (p + 1), 0.0); // in the plane none with z
   }
   return samples;
 }
 
+template exchange::SamplePoints sample_points(const Points<2>&);
+template exchange::SamplePoints sample_points(const Points<3>&);
+
 template <class Space>
 double surface_height(const Body<Space>& body, exchange::Convention convention) {
   if (convention != exchange::Convention::drop) return mean_surface(body);
-  const auto& heights = body.points.position[1];
+  constexpr std::size_t vertical = Space::dim - 1;
+  const auto& heights = body.points.position[vertical];
+  const auto& placed = body.points.placed[vertical];
   const auto highest =
       static_cast<std::size_t>(std::distance(heights.begin(), std::max_element(heights.begin(), heights.end())));
   double row_volume = 0;
   for (std::size_t p = 0; p < body.points.size(); ++p)
-    if (body.points.placed[1][p] == body.points.placed[1][highest]) row_volume += body.points.volume[p];
-  return heights[highest] + 0.5 * row_volume / body.space.width();
+    if (placed[p] == placed[highest]) row_volume += body.points.volume[p];
+  return heights[highest] + 0.5 * row_volume / body.space.plan_area();
 }
 
 #define SETTLE_INSTANTIATE(Space) template double surface_height(const Body<Space>&, exchange::Convention);

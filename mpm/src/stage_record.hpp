@@ -10,17 +10,22 @@
 
 namespace settle::mpm {
 
+/// Components of a stress in the result file: xx yy zz xy yz xz.
+inline constexpr std::size_t recorded_stress_size = 6;
+
 /// All material points, in the result file's layout.
-exchange::SamplePoints sample_points(const Points<2>& points);
+template <int dim>
+exchange::SamplePoints sample_points(const Points<dim>& points);
 
 /// The case's probes at this stage: linear in placed height between the rows of the layer's own, not refilled points
 /// (all points of a layer at one placed height make a row), continued linearly to the layer's two ends. `placements`
 /// holds the layers placed so far. Across polygons: scattered_sampling.hpp.
-std::map<std::string, exchange::ProbeSamples> sample_probes(const exchange::Case& study, const Points<2>& points,
+template <int dim>
+std::map<std::string, exchange::ProbeSamples> sample_probes(const exchange::Case& study, const Points<dim>& points,
                                                             const std::vector<LayerPlacement>& placements);
 
-/// Height of the surface [m]: points' volume over the width; for `drop`, where there may be gaps, the highest point
-/// plus half the height of its row.
+/// Height of the surface [m]: points' volume over the width, in 3-D over the plan's area; for `drop`, where there may
+/// be gaps, the highest point plus half the height of its row.
 template <class Space>
 double surface_height(const Body<Space>& body, exchange::Convention convention);
 

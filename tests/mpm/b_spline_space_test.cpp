@@ -11,14 +11,14 @@
 namespace settle::mpm::test {
 namespace {
 
-const BSplineSpace space({.columns = 4, .rows = 6, .size = 0.3, .origin = {-0.4, 0.7}});
+const BSplineSpace<2> space({.counts = {4, 6}, .size = 0.3, .origin = {-0.4, 0.7}});
 
 Vector<2> random_point(std::mt19937& random) {
   std::uniform_real_distribution<double> unit(0.0, 1.0);
   return space.origin() + Vector<2>(unit(random) * space.width(), unit(random) * space.height());
 }
 
-BSplineSpace::Stencil at(const BSplineSpace& grid, const Vector<2>& x) {
+BSplineSpace<2>::Stencil at(const BSplineSpace<2>& grid, const Vector<2>& x) {
   return grid.stencil_at(grid.locate(x), x);
 }
 
@@ -99,7 +99,7 @@ TEST(BSplineSpace, TheAverageOfACellIsThatOfItsFunctions) {
   for (int cell = 0; cell < space.n_cells(); ++cell) {
     const auto average = space.cell_average(cell);
     std::array<double, 9> values{};
-    BSplineSpace::Stencil::Gradients gradients = BSplineSpace::Stencil::Gradients::Zero();
+    BSplineSpace<2>::Stencil::Gradients gradients = BSplineSpace<2>::Stencil::Gradients::Zero();
     for (const double sx : {-gauss, gauss})
       for (const double sy : {-gauss, gauss}) {
         const Vector<2> middle = space.corner(space.column_of(cell), space.row_of(cell)) + Vector<2>(0.15, 0.15);
@@ -117,7 +117,7 @@ TEST(BSplineSpace, TheAverageOfACellIsThatOfItsFunctions) {
 /// The highest frequency, times h / c, of a line of n squares that vibrates along itself: points on a lattice of
 /// `per_side` a square, mass lumped, ends free.
 double highest_frequency(int n, int per_side) {
-  const BSplineSpace line({.columns = n, .rows = 1, .size = 1.0});
+  const BSplineSpace<2> line({.counts = {n, 1}, .size = 1.0});
   Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(n + 2, n + 2);
   Eigen::VectorXd mass = Eigen::VectorXd::Zero(n + 2);
   for (int p = 0; p < n * per_side; ++p) {
@@ -134,7 +134,7 @@ double highest_frequency(int n, int per_side) {
 }
 
 TEST(BSplineSpace, NoLineOfSquaresVibratesFasterThanTheStableStepAllows) {
-  const BSplineSpace unit({.columns = 1, .rows = 1, .size = 1.0});
+  const BSplineSpace<2> unit({.counts = {1, 1}, .size = 1.0});
   const double allowed = 2.0 / unit.shortest_length(); // a frequency omega is stable up to a step of 2/omega
   double highest = 0;
   for (int n = 1; n <= 12; ++n)

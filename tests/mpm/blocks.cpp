@@ -7,16 +7,21 @@ namespace settle::mpm::test {
 namespace {
 
 template <class Space>
-PointLayout layout_of() {
-  if constexpr (std::is_same_v<Space, TriangleSpace>) return triangle_layout();
-  return lattice_layout(2);
+PointLayout<Space::dim> layout_of() {
+  if constexpr (std::is_same_v<Space, TriangleSpace>)
+    return triangle_layout();
+  else
+    return lattice_layout<Space::dim>(2);
 }
 
 } // namespace
 
 template <class Space>
 Body<Space> block(const Block& data) {
-  const Space space(GridBox{.columns = data.columns, .rows = data.rows, .size = data.size});
+  GridBox<Space::dim> box{.counts = {}, .size = data.size};
+  box.counts.fill(data.deep);
+  box.counts.front() = data.columns, box.counts.back() = data.rows;
+  const Space space(box);
   Body<Space> body{.space = space,
                    .points = {},
                    .layout = layout_of<Space>(),
@@ -25,7 +30,7 @@ Body<Space> block(const Block& data) {
                    .lame = Lame::from(400e3, 0.25),
                    .density = block_density};
   body.points.has_domains = Space::has_domains;
-  if (!data.supported) std::fill(body.fixed.begin(), body.fixed.end(), std::array<bool, 2>{false, false});
+  if (!data.supported) std::fill(body.fixed.begin(), body.fixed.end(), PerAxis<bool, Space::dim>{});
   place_layer(body, {.layer = 1, .base = 0.0, .thickness = data.filled_rows * data.size});
   body.sort();
   return body;
@@ -34,13 +39,15 @@ Body<Space> block(const Block& data) {
 template <class Space>
 void scatter_positions(Body<Space>& body, std::mt19937& random, double share) {
   std::uniform_real_distribution<double> shift(-share * body.space.size(), share * body.space.size());
-  auto& [x, y] = body.points.position;
-  const double top = *std::max_element(y.begin(), y.end());
+  auto& position = body.points.position;
+  const double top = *std::max_element(position.back().begin(), position.back().end());
   const double margin = 1e-3 * body.space.size();
-  for (std::size_t p = 0; p < body.points.size(); ++p) {
-    x[p] = std::clamp(x[p] + shift(random), margin, body.space.width() - margin);
-    y[p] = std::clamp(y[p] + shift(random), margin, top);
-  }
+  for (std::size_t p = 0; p < body.points.size(); ++p)
+    for (std::size_t d = 0; d < position.size(); ++d) {
+      const bool vertical = d + 1 == position.size();
+      const double highest = vertical ? top : body.space.extent(static_cast<int>(d)) - margin;
+      position[d][p] = std::clamp(position[d][p] + shift(random), margin, highest);
+    }
   body.sort();
 }
 
@@ -60,12 +67,17 @@ void randomize_stresses(Body<Space>& body, std::mt19937& random) {
       value = stress(random);
 }
 
-Vector<2> total_momentum(const Points<2>& points) {
-  Vector<2> momentum = Vector<2>::Zero();
+template <int dim>
+Vector<dim> total_momentum(const Points<dim>& points) {
+  Vector<dim> momentum = Vector<dim>::Zero();
   for (std::size_t p = 0; p < points.size(); ++p)
-    momentum += points.mass[p] * Vector<2>(points.velocity[0][p], points.velocity[1][p]);
+    for (std::size_t d = 0; d < dim; ++d)
+      momentum[static_cast<int>(d)] += points.mass[p] * points.velocity[d][p];
   return momentum;
 }
+
+template Vector<2> total_momentum(const Points<2>&);
+template Vector<3> total_momentum(const Points<3>&);
 
 #define SETTLE_INSTANTIATE(Space)                                                                                      \
   template Body<Space> block(const Block&);                                                                            \

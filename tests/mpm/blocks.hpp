@@ -14,19 +14,20 @@
 
 namespace settle::mpm::test {
 
-/// A body of squares of 0.5 m, filled from below.
+/// A body of squares, or cubes, of 0.5 m, filled from below.
 struct Block {
   int columns = 3;
+  int deep = 2; ///< columns along y, in 3-D only
   int rows = 4;
   int filled_rows = 3;
   double size = 0.5;     ///< [m]
-  bool supported = true; ///< rollers on both sides and the base; otherwise free
+  bool supported = true; ///< rollers on all sides and the base; otherwise free
 };
 
 inline constexpr double block_density = 1800.0; ///< [kg/m3]
 
-/// Every space, for typed tests.
-using EverySpace = testing::Types<TriangleSpace, QuadrilateralSpace, GimpSpace, BSplineSpace>;
+/// Every space of the plane, for typed tests.
+using EveryPlaneSpace = testing::Types<TriangleSpace, QuadrilateralSpace, GimpSpace<2>, BSplineSpace<2>>;
 
 /// The name of a space in the name of a typed test.
 struct SpaceName {
@@ -34,7 +35,7 @@ struct SpaceName {
   static std::string GetName(int) {
     if (std::is_same_v<Space, TriangleSpace>) return "Triangle";
     if (std::is_same_v<Space, QuadrilateralSpace>) return "Quadrilateral";
-    return std::is_same_v<Space, GimpSpace> ? "Gimp" : "BSpline";
+    return std::is_same_v<Space, GimpSpace<2>> ? "Gimp" : "BSpline";
   }
 };
 
@@ -54,7 +55,8 @@ void randomize_velocities(Body<Space>& body, std::mt19937& random);
 template <class Space>
 void randomize_stresses(Body<Space>& body, std::mt19937& random);
 
-/// Momentum of all points [kg m/s per m].
-Vector<2> total_momentum(const Points<2>& points);
+/// Momentum of all points [kg m/s, in 2-D per m].
+template <int dim>
+Vector<dim> total_momentum(const Points<dim>& points);
 
 } // namespace settle::mpm::test

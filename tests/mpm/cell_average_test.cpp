@@ -91,7 +91,7 @@ TEST(CellAverage, IsTakenAfterEveryExplicitStepIfTheBodyAsksForIt) {
 }
 
 TEST(Supports, AreRollersOnBothSidesAndTheBase) {
-  const TriangleSpace grid({.columns = 3, .rows = 4, .size = 0.5});
+  const TriangleSpace grid({.counts = {3, 4}, .size = 0.5});
   const auto fixed = oedometer_supports(grid);
   for (int n = 0; n < grid.n_nodes(); ++n) {
     const auto x = grid.node_position(n);

@@ -52,7 +52,7 @@ Vector<2> gradient_of(const Stencil& stencil, int node) {
 
 template <class Space>
 class CellGradientsOf : public testing::Test {};
-TYPED_TEST_SUITE(CellGradientsOf, EverySpace, SpaceName);
+TYPED_TEST_SUITE(CellGradientsOf, EveryPlaneSpace, SpaceName);
 
 TYPED_TEST(CellGradientsOf, PatchesHoldEveryPointOnce) {
   const auto body = scattered_block<TypeParam>(StressIntegration::full_cells);

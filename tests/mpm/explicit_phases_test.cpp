@@ -57,7 +57,7 @@ double mass_of(const Nodes& nodes) {
 
 template <class Space>
 class ExplicitPhasesOf : public testing::Test {};
-TYPED_TEST_SUITE(ExplicitPhasesOf, EverySpace, SpaceName);
+TYPED_TEST_SUITE(ExplicitPhasesOf, EveryPlaneSpace, SpaceName);
 
 TYPED_TEST(ExplicitPhasesOf, ScatteringConservesMassAndMomentum) {
   const auto state = scattered<TypeParam>(false);

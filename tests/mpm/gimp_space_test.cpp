@@ -11,8 +11,8 @@
 namespace settle::mpm::test {
 namespace {
 
-const GridBox box{.columns = 4, .rows = 6, .size = 0.3, .origin = {-0.4, 0.7}};
-const GimpSpace space(box);
+const GridBox<2> box{.counts = {4, 6}, .size = 0.3, .origin = {-0.4, 0.7}};
+const GimpSpace<2> space(box);
 
 struct Domain {
   Vector<2> center, half;
@@ -25,7 +25,7 @@ Domain random_domain(std::mt19937& random) {
           box.size * Vector<2>(unit(random), unit(random))};
 }
 
-GimpSpace::Stencil of(const Domain& domain) {
+GimpSpace<2>::Stencil of(const Domain& domain) {
   return space.stencil_of_box(space.locate(domain.center), domain.center, domain.half);
 }
 
@@ -72,7 +72,7 @@ TEST(GimpSpace, ReproducesLinearFieldsWhereverDomainsLieAlsoAcrossASideOfTheGrid
   for (int k = 0; k < 2000; ++k) {
     const Domain domain = random_domain(random);
     const auto stencil = of(domain);
-    ASSERT_LE(stencil.size(), GimpSpace::max_nodes);
+    ASSERT_LE(stencil.size(), GimpSpace<2>::max_nodes);
     double sum = 0;
     Vector<2> position = Vector<2>::Zero(), gradient = Vector<2>::Zero(), gradient_sum = Vector<2>::Zero();
     for (int i = 0; i < stencil.size(); ++i) {

@@ -35,7 +35,7 @@ TEST(Placement, PointsOfAQuadrilateralLieOnARegularLatticeWithAShareOfTheSquareE
   for (const int per_side : {2, 3, 4}) {
     auto body = block<QuadrilateralSpace>({.columns = 1, .rows = 2, .filled_rows = 1, .size = 0.6});
     body.points = {};
-    body.layout = lattice_layout(per_side);
+    body.layout = lattice_layout<2>(per_side);
     place_layer(body, {.layer = 1, .base = 0.0, .thickness = 0.6});
     const auto rows = row_heights(body.points);
     ASSERT_EQ(rows.size(), static_cast<std::size_t>(per_side));

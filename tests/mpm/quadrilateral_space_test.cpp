@@ -12,7 +12,7 @@
 namespace settle::mpm::test {
 namespace {
 
-const QuadrilateralSpace space({.columns = 5, .rows = 7, .size = 0.3, .origin = {-0.4, 1.2}});
+const QuadrilateralSpace space({.counts = {5, 7}, .size = 0.3, .origin = {-0.4, 1.2}});
 
 Vector<2> random_point(std::mt19937& random) {
   std::uniform_real_distribution<double> unit(0.0, 1.0);

@@ -37,7 +37,7 @@ void expect_quadratic(const std::vector<double>& residuals) {
 
 template <class Space>
 class QuasiStaticStepOf : public testing::Test {};
-TYPED_TEST_SUITE(QuasiStaticStepOf, EverySpace, SpaceName);
+TYPED_TEST_SUITE(QuasiStaticStepOf, EveryPlaneSpace, SpaceName);
 
 TYPED_TEST(QuasiStaticStepOf, NewtonConvergesQuadraticallyUnderLargeStrainWithBothIntegrations) {
   for (const auto integration : {StressIntegration::full_cells, StressIntegration::points}) {

@@ -103,7 +103,7 @@ TEST(RefillWhereDue, StacksItsRowsOnTheSurface) {
 }
 
 TEST(RefillWhereDue, GivesPointsDomainsThatTouchThoseBelowAndEachOther) {
-  auto body = block<GimpSpace>({.columns = 2, .rows = 6, .filled_rows = 3});
+  auto body = block<GimpSpace<2>>({.columns = 2, .rows = 6, .filled_rows = 3});
   close_gap(body, {.rule = RefillRule::sub_element, .layer = 4, .lower_level = 1.0, .design_level = 1.5 + 1.6 * 0.25});
   std::map<long, double> top_of_row; // by lower side, both in thousandths of a row
   double volume = 0;

@@ -11,7 +11,7 @@
 namespace settle::mpm::test {
 namespace {
 
-const TriangleSpace grid({.columns = 5, .rows = 7, .size = 0.3});
+const TriangleSpace grid({.counts = {5, 7}, .size = 0.3});
 
 Vector<2> random_point(std::mt19937& random) {
   std::uniform_real_distribution<double> unit(0.0, 1.0);

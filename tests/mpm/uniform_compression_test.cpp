@@ -12,7 +12,7 @@ namespace {
 
 template <class Space>
 class UniformCompressionOf : public testing::Test {};
-TYPED_TEST_SUITE(UniformCompressionOf, EverySpace, SpaceName);
+TYPED_TEST_SUITE(UniformCompressionOf, EveryPlaneSpace, SpaceName);
 
 /// A filled block of points with a hyperelastic law.
 template <class Space>

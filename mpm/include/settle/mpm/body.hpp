@@ -18,7 +18,7 @@ struct Gravity {
   double acceleration = 9.81; ///< [m/s2], downwards along the last axis
   int ramped_layer = 0;
   double factor = 1.0; ///< of the ramped layer's gravity, 0 ... 1
-  /// Force per mass on a point [m/s2]; empty: none.
+  /// Force per mass on a point [m/s2]; empty: none. Known motions are those of the plane.
   std::function<Vector<2>(const Points<2>&, std::size_t)> besides{};
 
   [[nodiscard]] double on(int layer) const { return layer == ramped_layer ? factor * acceleration : acceleration; }
@@ -27,7 +27,8 @@ struct Gravity {
   [[nodiscard]] Vector<dim> pull(const Points<dim>& points, std::size_t p) const {
     Vector<dim> pull = Vector<dim>::Zero();
     pull[dim - 1] = -on(points.layer[p]);
-    if (besides) pull += besides(points, p);
+    if constexpr (dim == 2)
+      if (besides) pull += besides(points, p);
     return pull;
   }
 };
@@ -45,7 +46,7 @@ struct Body {
 
   Space space;
   Points<dim> points;
-  PointLayout layout; ///< how points are placed
+  PointLayout<dim> layout; ///< how points are placed
   CellTable cells;
   std::vector<PerAxis<bool, dim>> fixed; ///< per node and direction: displacement prevented
   Lame lame;
@@ -78,21 +79,15 @@ struct AverageStress {
 
 template <int dim>
 AverageStress<dim> average_stress_of(const Points<dim>& points, PointRange range) {
-  static_assert(dim == 2, "the component order below is that of plane strain");
-  double volume = 0, xx = 0, yy = 0, zz = 0, xy = 0;
+  AverageStress<dim> result;
+  std::array<double, stress_size<dim>> sum{};
   for (std::size_t p = range.first; p < range.last; ++p) {
     const double v = points.volume[p];
-    volume += v;
-    xx += v * points.stress[0][p];
-    yy += v * points.stress[1][p];
-    zz += v * points.stress[2][p];
-    xy += v * points.stress[3][p];
+    result.points_volume += v;
+    for (std::size_t c = 0; c < sum.size(); ++c)
+      sum[c] += v * points.stress[c][p];
   }
-  AverageStress<2> result;
-  result.points_volume = volume;
-  result.average.tensor << xx, xy, xy, yy;
-  result.average.tensor /= volume;
-  result.average.out_of_plane = zz / volume;
+  result.average = stress_of_components<dim>([&](std::size_t c) { return sum[c] / result.points_volume; });
   return result;
 }
 
@@ -106,11 +101,11 @@ double integration_volume(const Body<Space>& body, double points_volume) {
 template <class Space>
 void replace_stress_by_cell_average(Body<Space>& body);
 
-/// Rollers on both sides and the base: the oedometer.
+/// Rollers on all sides and the base: the oedometer.
 template <class Space>
 std::vector<PerAxis<bool, Space::dim>> oedometer_supports(const Space& space);
 
-/// Sum of all points' masses [kg/m] and of all points' volumes [m3/m] in 2-D.
+/// Sum of all points' masses [kg/m in 2-D] and of all points' volumes [m3/m in 2-D].
 template <int dim>
 double total_mass(const Points<dim>& points);
 template <int dim>

@@ -46,7 +46,8 @@ StageReport load_explicit(Body<Space>& body, const StageLoad& load, const exchan
                           int threads);
 
 /// Explicit, in time: from the motion's initial velocity through its duration, without damping. Velocities are those of
-/// half steps (leapfrog), so that the scheme is of second order in time. Throws PointLost.
+/// half steps (leapfrog), so that the scheme is of second order in time. In the plane only, as motions are. Throws
+/// PointLost.
 template <class Space>
 StageReport run_motion(Body<Space>& body, const StageLoad& load, double courant, int threads);
 

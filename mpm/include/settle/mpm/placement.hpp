@@ -13,7 +13,7 @@ struct LayerPlacement {
   double thickness = 0; ///< as placed [m]
 };
 
-/// Places a layer over the whole width, each square of the grid with the points of the body's layout. A thickness that
+/// Places a layer over the whole plan, each square of the grid with the points of the body's layout. A thickness that
 /// is no multiple of the grid's size is divided into the nearest number of rows. The body has to be sorted afterwards.
 template <class Space>
 void place_layer(Body<Space>& body, const LayerPlacement& placement);
@@ -36,7 +36,8 @@ struct RefillRow {
 template <class Space>
 void refill_row(Body<Space>& body, const RefillRow& row);
 
-/// Surface of each column of squares of a body without gaps: the grid's base and its points' volume over its width [m].
+/// Surface of each column of squares of a body without gaps: the grid's base and its points' volume over its
+/// width (in 3-D the column's area) [m].
 template <class Space>
 std::vector<double> column_heights(const Body<Space>& body);
 

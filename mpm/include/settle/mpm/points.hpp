@@ -31,7 +31,7 @@ struct NewPoint {
   Vector<dim> position = Vector<dim>::Zero(); ///< where it is placed [m]
   double volume = 0;                          ///< [m3/m] in 2-D
   double density = 0;                         ///< [kg/m3]
-  /// Of the rectangle it fills [m]; zero: a square. Only kept where points carry their domains.
+  /// Of the rectangle or cuboid it fills [m]; zero: a square, a cube. Only kept where points carry their domains.
   Vector<dim> half_lengths = Vector<dim>::Zero();
 };
 
@@ -51,7 +51,7 @@ struct Points {
   /// Deformation gradient since placement, row by row; empty unless `tracks_deformation`.
   std::array<std::vector<double>, static_cast<std::size_t>(dim* dim)> deformation;
   bool tracks_deformation = false; ///< set before the first point is added; for laws that need it
-  /// Half the sides of the rectangle along the axes that a point fills [m]; empty unless `has_domains`.
+  /// Half the sides of the rectangle or cuboid along the axes that a point fills [m]; empty unless `has_domains`.
   PerAxis<std::vector<double>, dim> half_length;
   bool has_domains = false; ///< set before the first point is added; for spaces that need it
   std::uint64_t next_id = 1;
@@ -90,5 +90,6 @@ struct Points {
 };
 
 extern template struct Points<2>;
+extern template struct Points<3>;
 
 } // namespace settle::mpm

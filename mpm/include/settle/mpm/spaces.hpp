@@ -4,28 +4,33 @@
 ///
 /// A space is a grid of cells with shape functions on it:
 ///
-///     dim                         2
+///     dim                         2 or 3
 ///     max_nodes                   nodes that all points of one cell can touch together
 ///     cells_per_square            cell c lies in square c / cells_per_square
 ///     has_constant_gradients      gradients are the same at all points of a cell
 ///     has_domains                 points have to carry their domains (Points::has_domains)
 ///     Stencil                     see stencil.hpp
-///     columns() rows() size() origin() width() height() corner(column, row)      the squares, see square_grid.hpp
-///     n_cells() cell_volume() column_of(cell) row_of(cell) locate(x)             locate: -1 outside the grid
+///     columns() rows() size() origin() plan_area() corner(column, row) ...   the squares, see square_grid.hpp
+///     n_cells() cell_volume() column_of(cell) row_of(cell) locate(x)         locate: -1 outside the grid
 ///     shortest_length()           [m], what the stable time step is measured with
-///     n_nodes() node_columns() node_rows() node_position(node)
+///     n_nodes() node_numbering() node_position(node)
 ///     stencil(cell, points, p)    at point p of that cell; may use all that the points carry
 ///     cell_average(cell)          values and gradients of the cell's shape functions, averaged over its volume
 #pragma once
 
 #include "settle/mpm/b_spline_space.hpp"
+#include "settle/mpm/box_space.hpp"
 #include "settle/mpm/gimp_space.hpp"
-#include "settle/mpm/quadrilateral_space.hpp"
 #include "settle/mpm/triangle_space.hpp"
+
+/// Calls the macro X with every space of the plane.
+#define SETTLE_FOR_EVERY_PLANE_SPACE(X)                                                                                \
+  X(TriangleSpace)                                                                                                     \
+  X(QuadrilateralSpace)                                                                                                \
+  X(GimpSpace<2>)                                                                                                      \
+  X(BSplineSpace<2>)
 
 /// Calls the macro X with every space.
 #define SETTLE_FOR_EVERY_SPACE(X)                                                                                      \
-  X(TriangleSpace)                                                                                                     \
-  X(QuadrilateralSpace)                                                                                                \
-  X(GimpSpace)                                                                                                         \
-  X(BSplineSpace)
+  SETTLE_FOR_EVERY_PLANE_SPACE(X)                                                                                      \
+  X(HexahedronSpace)
