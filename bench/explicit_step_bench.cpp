@@ -92,7 +92,8 @@ void one_phase(benchmark::State& state) {
   for (int k = 0; k < 3; ++k)
     advance(step);
   step.gather();
-  for (auto _ : state) switch (state.range(1)) {
+  for (auto _ : state)
+    switch (state.range(1)) {
     case scatter:
       step.scatter({});
       break;
@@ -158,10 +159,12 @@ void phases(benchmark::internal::Benchmark* benchmark) {
   benchmark->ArgNames({"side", "phase"})->Unit(benchmark::kMillisecond);
 }
 
-BENCHMARK(triad)->ArgName("threads")->Apply([](auto* benchmark) {
-  for (const std::int64_t threads : thread_counts())
-    benchmark->Arg(threads);
-})->UseRealTime();
+BENCHMARK(triad)
+    ->ArgName("threads")
+    ->Apply([](auto* benchmark) {
+      for (const std::int64_t threads : thread_counts())
+        benchmark->Arg(threads);
+    }) -> UseRealTime();
 BENCHMARK_TEMPLATE(whole_step, TriangleSpace, mixed)->Apply(sizes);
 BENCHMARK_TEMPLATE(whole_step, QuadrilateralSpace, mixed)->Apply(sizes);
 BENCHMARK_TEMPLATE(whole_step, BSplineSpace<2>, by_points)->Apply(sizes);

@@ -125,8 +125,10 @@ StageReport load_explicit(Body<Space>& body, const StageLoad& load, const exchan
                           int threads) {
   Run<Space> run(body, load, settings, threads);
   advance_for(run, settings.ramp_time, [&](double time) { return std::min(1.0, time / settings.ramp_time); });
-  if (settings.hold) advance_for(run, *settings.hold, [](double) { return 1.0; });
-  else hold_until_equilibrium(run, load, settings);
+  if (settings.hold)
+    advance_for(run, *settings.hold, [](double) { return 1.0; });
+  else
+    hold_until_equilibrium(run, load, settings);
   run.end();
   return run.report();
 }

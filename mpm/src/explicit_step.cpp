@@ -13,8 +13,7 @@ public:
 };
 
 template <class Space>
-ExplicitStep<Space>::ExplicitStep(Body<Space>& body, int threads)
-    : phases_(std::make_unique<Phases>(body, threads)) {}
+ExplicitStep<Space>::ExplicitStep(Body<Space>& body, int threads) : phases_(std::make_unique<Phases>(body, threads)) {}
 template <class Space>
 ExplicitStep<Space>::ExplicitStep(ExplicitStep&&) noexcept = default;
 template <class Space>

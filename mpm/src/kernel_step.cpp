@@ -12,10 +12,10 @@ namespace {
 
 using Size = std::size_t;
 
-constexpr Size lanes = 8;              ///< kernels read and write so many numbers at a time
-constexpr int strip_squares = 256;     ///< at least, so that loops over a strip are long
-constexpr int most_stray_share = 32;   ///< points are sorted once more than 1/32 of them have strayed
-constexpr int least_strays = 8;        ///< or more than these, in small bodies
+constexpr Size lanes = 8;                  ///< kernels read and write so many numbers at a time
+constexpr int strip_squares = 256;         ///< at least, so that loops over a strip are long
+constexpr int most_stray_share = 32;       ///< points are sorted once more than 1/32 of them have strayed
+constexpr int least_strays = 8;            ///< or more than these, in small bodies
 constexpr Size points_per_thread = 10'000; ///< below this a thread costs more than it brings
 
 Size size_of(int i) {
@@ -63,6 +63,8 @@ void KernelStep<Space>::set_grid() {
   step_.overlap = space.node_columns() - space.columns();
   const int wanted = (strip_squares + step_.node_columns - 1) / step_.node_columns;
   step_.strip_rows = std::min(step_.rows, std::max(4 / step_.overlap, wanted));
+  while (step_.rows % step_.strip_rows != 0 && step_.rows % step_.strip_rows < step_.overlap)
+    ++step_.strip_rows; // also the last strip owns all nodes that the one below adds to
   step_.n_strips = (step_.rows + step_.strip_rows - 1) / step_.strip_rows;
   for (int d = 0; d < dim; ++d)
     step_.origin[d] = space.origin()[d];
@@ -159,14 +161,14 @@ void KernelStep<Space>::note(Size strip, std::int32_t layer) {
 template <class Space>
 void KernelStep<Space>::point_to_points() {
   auto& points = body_.points;
-  step_.points = {.mass = points.mass.data(),
-                  .volume = points.volume.data(),
-                  .position = {points.position[0].data(), points.position[1].data()},
-                  .velocity = {points.velocity[0].data(), points.velocity[1].data()},
-                  .stress = {points.stress[0].data(), points.stress[1].data(), points.stress[2].data(),
-                             points.stress[3].data()},
-                  .layer = points.layer.data(),
-                  .force = {nullptr, nullptr}};
+  step_.points = {
+      .mass = points.mass.data(),
+      .volume = points.volume.data(),
+      .position = {points.position[0].data(), points.position[1].data()},
+      .velocity = {points.velocity[0].data(), points.velocity[1].data()},
+      .stress = {points.stress[0].data(), points.stress[1].data(), points.stress[2].data(), points.stress[3].data()},
+      .layer = points.layer.data(),
+      .force = {nullptr, nullptr}};
   step_.begin = body_.cells.begin.data();
 }
 
@@ -177,8 +179,8 @@ void KernelStep<Space>::set_gravity(const Gravity& gravity) {
   step_.ramped_layer = gravity.ramped_layer;
   for (Size s = 0; s < weight_.size(); ++s) {
     const auto [lowest, highest] = layers_[s];
-    const bool alike = lowest == highest || step_.gravity == step_.ramped_gravity ||
-                       gravity.ramped_layer < lowest || gravity.ramped_layer > highest;
+    const bool alike = lowest == highest || step_.gravity == step_.ramped_gravity || gravity.ramped_layer < lowest ||
+                       gravity.ramped_layer > highest;
     weight_[s] = {.kind = alike ? kernel::Weight::uniform : kernel::Weight::by_layer, .gravity = gravity.on(lowest)};
     if (gravity.besides) weight_[s].kind = kernel::Weight::with_force;
   }
@@ -211,8 +213,8 @@ void KernelStep<Space>::activate_strips() {
     const bool active = (strip < step_.n_strips && touched_[s] != 0) || (strip > 0 && touched_[s - 1] != 0);
     if (active_[s] != 0 && !active) {
       const Size columns = size_of(step_.node_columns), first = size_of(strip * step_.strip_rows) * columns;
-      const int end = strip == step_.n_strips ? step_.rows + step_.overlap
-                                              : std::min(step_.rows, (strip + 1) * step_.strip_rows);
+      const int end =
+          strip == step_.n_strips ? step_.rows + step_.overlap : std::min(step_.rows, (strip + 1) * step_.strip_rows);
       for (int k = 0; k < step_.n_node_arrays; ++k)
         if (step_.node[k] != nullptr) std::fill(step_.node[k] + first, step_.node[k] + size_of(end) * columns, 0.0);
     }
@@ -316,9 +318,12 @@ void KernelStep<Space>::sort_out_crossings() {
   for (int strip = 0; strip < step_.n_strips; ++strip) {
     auto& crossings = crossings_[size_of(strip)];
     for (auto crossing = crossings.rbegin(); crossing != crossings.rend(); ++crossing) // strays from the last one on
-      if (crossing->stray) move_stray(strip, crossing->index);
-      else if (may_stray()) n_strays_ += take_stray(crossing->index) ? 1U : 0U;
-      else sort = true;
+      if (crossing->stray)
+        move_stray(strip, crossing->index);
+      else if (may_stray())
+        n_strays_ += take_stray(crossing->index) ? 1U : 0U;
+      else
+        sort = true;
     crossings.clear();
   }
   if (sort) body_.sort(), take_stock();
@@ -397,7 +402,9 @@ auto KernelStep<Space>::node(int node) const -> NodeState<dim> {
     double sum = own_strip < step_.n_strips && touched_[size_of(own_strip)] != 0 ? own : 0.0;
     if (own_strip > 0 && row_of_strip < step_.overlap && touched_[size_of(own_strip) - 1] != 0)
       sum += overlap_nodes_[(size_of((own_strip - 1) * step_.n_node_arrays + k) * size_of(step_.overlap) +
-                             size_of(row_of_strip)) * columns + size_of(node % step_.node_columns)];
+                             size_of(row_of_strip)) *
+                                columns +
+                            size_of(node % step_.node_columns)];
     return sum;
   };
   NodeState<dim> state{.mass = value(kernel::node_mass)};

@@ -71,8 +71,8 @@ private:
   std::vector<std::size_t> home_;
 
   static std::array<std::vector<double>*, 10> arrays_of(Points<2>& p) {
-    return {&p.mass,        &p.volume,      &p.position[0], &p.position[1], &p.velocity[0],
-            &p.velocity[1], &p.stress[0],   &p.stress[1],   &p.stress[2],   &p.stress[3]};
+    return {&p.mass,        &p.volume,    &p.position[0], &p.position[1], &p.velocity[0],
+            &p.velocity[1], &p.stress[0], &p.stress[1],   &p.stress[2],   &p.stress[3]};
   }
 };
 

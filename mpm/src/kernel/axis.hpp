@@ -22,8 +22,8 @@ struct Axis<1> {
     slope[0] = all(1.0);
     square[0] = value[0] * value[0], square[1] = value[0] * value[1], square[2] = value[1] * value[1];
   }
-  /// Products summed over points to shape functions summed over points, in place; the same for their derivatives and for
-  /// products of two, 00 01 11.
+  /// Products summed over points to shape functions summed over points, in place; the same for their derivatives and
+  /// for products of two, 00 01 11.
   SETTLE_INLINE void to_functions(Lanes*, int) const {}
   SETTLE_INLINE void to_slopes(const Lanes* products, Lanes* slopes, int step) const {
     slopes[0] = -products[0], slopes[step] = products[0];

@@ -90,17 +90,17 @@ struct Step {
   const std::uint32_t* begin; ///< by cell
   const Strays* strays;       ///< by strip
 
-  double* node[max_node_arrays];    ///< null: none
-  double* overlap_nodes;            ///< by strip, array, node: what it adds to the nodes of the next one
+  double* node[max_node_arrays]; ///< null: none
+  double* overlap_nodes;         ///< by strip, array, node: what it adds to the nodes of the next one
   int n_node_arrays;
-  int edge[max_edges];              ///< from a node to the one it couples with
-  const std::uint8_t* held;         ///< by node: 1: x, 2: y
-  const std::uint8_t* touched;      ///< by strip: does it hold points?
-  double* mean;                     ///< by quantity, square: what the mean gradient of a cell is off by; null: none
+  int edge[max_edges];         ///< from a node to the one it couples with
+  const std::uint8_t* held;    ///< by node: 1: x, 2: y
+  const std::uint8_t* touched; ///< by strip: does it hold points?
+  double* mean;                ///< by quantity, square: what the mean gradient of a cell is off by; null: none
   std::size_t mean_stride;
-  double* column_volume;            ///< by strip, column [m3/m]
-  const StripWeight* weight;        ///< by strip
-  StripSums* sums;                  ///< by strip of nodes
+  double* column_volume;     ///< by strip, column [m3/m]
+  const StripWeight* weight; ///< by strip
+  StripSums* sums;           ///< by strip of nodes
 
   void* context;
   /// A point of the strip, or a stray, has left its cell.

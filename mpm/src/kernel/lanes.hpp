@@ -11,7 +11,7 @@ namespace settle::mpm::kernel::SETTLE_VARIANT {
 constexpr int n_lanes = 8;
 typedef double Lanes __attribute__((vector_size(64)));
 typedef std::int64_t Mask __attribute__((vector_size(64)));
-typedef std::int32_t Integers __attribute__((vector_size(32)));
+typedef double HalfLanes __attribute__((vector_size(32)));
 typedef std::uint8_t Bytes __attribute__((vector_size(8)));
 
 SETTLE_INLINE Lanes load(const double* from) {
@@ -37,16 +37,14 @@ SETTLE_INLINE void store(double* to, const Lanes& lanes, int count) {
   for (int i = 0; i < count; ++i)
     to[i] = some[i];
 }
-SETTLE_INLINE Lanes all(double value) {
-  return Lanes{} + value;
+SETTLE_INLINE Lanes all(double v) {
+  return Lanes{v, v, v, v, v, v, v, v};
 }
-/// Towards zero.
-SETTLE_INLINE Lanes truncated(const Lanes& x) {
-  return __builtin_convertvector(__builtin_convertvector(x, Integers), Lanes);
-}
+/// Below 2^51; larger numbers come out as integers near them.
 SETTLE_INLINE Lanes floor_of(const Lanes& x) {
-  const Lanes towards_zero = truncated(x);
-  return towards_zero > x ? towards_zero - 1.0 : towards_zero;
+  constexpr double integers_only = 6755399441055744.0; // 1.5 * 2^52: doubles around it are integers
+  const Lanes nearest = (x + integers_only) - integers_only;
+  return nearest > x ? nearest - 1.0 : nearest;
 }
 SETTLE_INLINE Lanes absolute(const Lanes& x) {
   return x < 0.0 ? -x : x;

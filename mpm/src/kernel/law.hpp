@@ -43,7 +43,8 @@ SETTLE_INLINE void deform(const PointArrays& points, std::size_t p, int count, c
 
 /// Density over stiffness of cells [s2/m2]: the stiffness is M, or M / J + |sigma| for hyperelastic laws; infinite
 /// where there is no volume.
-SETTLE_INLINE Lanes slowness_of(const Step& step, const Lanes& mass, const Lanes& volume, const double* largest_stress) {
+SETTLE_INLINE Lanes slowness_of(const Step& step, const Lanes& mass, const Lanes& volume,
+                                const double* largest_stress) {
   const double modulus = step.lambda + 2.0 * step.mu;
   const Mask some = volume > 0.0;
   const Lanes safe = some ? volume : all(1.0);
@@ -63,16 +64,15 @@ SETTLE_INLINE Lanes volume_ratio_of(const Step& step, const Lanes& volume) {
 template <int cells_per_square>
 SETTLE_INLINE void find_largest_stress(const Step& step, int index, const CellArrays& cells, int quantity) {
   const Strip strip(step, index);
-  for_each_cell<cells_per_square>(
-      step, strip, [&](int which, std::size_t square, std::size_t first, std::size_t last) {
-        double largest = 0;
-        for (std::size_t p = first; p < last; ++p)
-          for (int c = 0; c < 2; ++c) {
-            const double size = __builtin_fabs(step.points.stress[c][p]);
-            largest = size > largest ? size : largest;
-          }
-        cells.quantity(quantity + which)[square] = largest;
-      });
+  for_each_cell<cells_per_square>(step, strip, [&](int which, std::size_t square, std::size_t first, std::size_t last) {
+    double largest = 0;
+    for (std::size_t p = first; p < last; ++p)
+      for (int c = 0; c < 2; ++c) {
+        const double size = __builtin_fabs(step.points.stress[c][p]);
+        largest = size > largest ? size : largest;
+      }
+    cells.quantity(quantity + which)[square] = largest;
+  });
 }
 
 /// New positions and velocities of points; whether any has left the square (or, as `part` says, the triangle) that it
@@ -80,7 +80,8 @@ SETTLE_INLINE void find_largest_stress(const Step& step, int index, const CellAr
 struct Motion {
   Lanes move[2], kick[2];
 };
-SETTLE_INLINE void shift(const PointArrays& points, std::size_t p, int count, const Motion& motion, Lanes new_position[2]) {
+SETTLE_INLINE void shift(const PointArrays& points, std::size_t p, int count, const Motion& motion,
+                         Lanes new_position[2]) {
   for (int d = 0; d < 2; ++d) {
     new_position[d] = load(points.position[d] + p, count) + motion.move[d];
     store(points.position[d] + p, new_position[d], count);
@@ -88,11 +89,21 @@ SETTLE_INLINE void shift(const PointArrays& points, std::size_t p, int count, co
   }
 }
 
-/// Reports the points that have left their cells.
-SETTLE_INLINE void report(const Step& step, int strip, bool strays, std::size_t p, int count, const Mask& crossed) {
-  if (!any(crossed)) return;
-  for (int i = 0; i < count; ++i)
-    if (crossed[i] != 0) step.crossed(step.context, strip, strays, p + static_cast<std::size_t>(i));
+/// Moves the points of a block, eight at a time by `move_some(first, count, q)`, which says which of them have left
+/// their cells; these are reported.
+template <int size, class MoveSome>
+SETTLE_INLINE void move_block(const Step& step, int strip, bool strays, std::size_t first, int count,
+                              MoveSome&& move_some) {
+  Mask crossed[size / n_lanes], some{};
+  for (int q = 0; q < count; q += n_lanes) {
+    const Mask now = move_some(first + static_cast<std::size_t>(q), least(count - q, n_lanes), q);
+    crossed[q / n_lanes] = now;
+    some |= now;
+  }
+  if (!any(some)) return; // what lies behind the last point stays where it is
+  for (int q = 0; q < count; ++q)
+    if (crossed[q / n_lanes][q % n_lanes] != 0)
+      step.crossed(step.context, strip, strays, first + static_cast<std::size_t>(q));
 }
 
 } // namespace settle::mpm::kernel::SETTLE_VARIANT

@@ -16,8 +16,8 @@ struct Squares {
   static constexpr int n = Along::n, n2 = n * n, n_squares = 2 * degree + 1, n_pairs = Along::n_pairs;
   static constexpr int n_slopes = degree * n; ///< products in the derivative along one axis
 
-  /// Sums over the points of a square, by products: mass, momentum, stress with derivatives, volume with derivatives (or
-  /// volume alone), external force. Products of the first axis run fastest.
+  /// Sums over the points of a square, by products: mass, momentum, stress with derivatives, volume with derivatives
+  /// (or volume alone), external force. Products of the first axis run fastest.
   static constexpr int mass = 0, momentum = n_squares * n_squares, xx_dx = momentum + 2 * n2, xy_dx = xx_dx + n_slopes,
                        yy_dy = xy_dx + n_slopes, xy_dy = yy_dy + n_slopes, volume = xy_dy + n_slopes;
   static constexpr int external(bool full) { return volume + (full ? 2 * n_slopes : 1); }
@@ -26,11 +26,13 @@ struct Squares {
   }
   static constexpr int most_sums = sums_of(true, Weight::with_force) + 1; ///< and the largest stress
 
-  /// The same by shape functions: products of two of them with mass, then mass, momentum, internal force, external force.
+  /// The same by shape functions: products of two of them with mass, then mass, momentum, internal force, external
+  /// force.
   static constexpr int pairs = 0, node_values = n_pairs * n_pairs;
   static constexpr int n_functions = node_values + 7 * n2;
 
-  /// While points move: gained velocity and displacement by products, and what the gradients are off by; behind `functions`.
+  /// While points move: gained velocity and displacement by products, and what the gradients are off by; behind
+  /// `functions`.
   static constexpr int kick = 0, move_ = 2 * n2, offset = 4 * n2;
   static constexpr int constants_of(bool full) { return offset + (full ? 4 : 0); }
   static constexpr int n_quantities = most_sums + n_functions + constants_of(true);
@@ -47,7 +49,8 @@ struct Squares {
   }
 
   template <bool full, Weight weight>
-  SETTLE_INLINE static void products(const Step& step, const PointArrays& points, std::size_t p, int count, double* block) {
+  SETTLE_INLINE static void products(const Step& step, const PointArrays& points, std::size_t p, int count,
+                                     double* block) {
     int k = 0;
     const auto put = [&](const Lanes& lanes) { store(block + static_cast<std::size_t>(k++) * Points::pitch, lanes); };
     const Place at = place(step, load(points.position[0] + p, count), load(points.position[1] + p, count));
@@ -85,8 +88,10 @@ struct Squares {
     put_dx(xy);
     put_dy(v * load(points.stress[1] + p, count));
     put_dy(xy);
-    if constexpr (full) put_dx(v), put_dy(v);
-    else put(v);
+    if constexpr (full)
+      put_dx(v), put_dy(v);
+    else
+      put(v);
     if constexpr (weight == Weight::uniform) return;
     Lanes pull_y = -gravity_on(step, points.layer + p, count);
     if constexpr (weight == Weight::with_force) pull_y += load(points.force[1] + p, count);
@@ -101,9 +106,10 @@ struct Squares {
   SETTLE_INLINE static Functions functions_at(const Step& step, const Strip& strip, std::size_t s) {
     Functions at;
     if constexpr (degree == 2) {
-      for (int i = 0; i < n_lanes; ++i) {
-        const int square = static_cast<int>(s) + i, column = square % step.node_columns;
-        const int row = strip.first_row + square / step.node_columns;
+      int column = static_cast<int>(s) % step.node_columns,
+          row = strip.first_row + static_cast<int>(s) / step.node_columns;
+      for (int i = 0; i < n_lanes; ++i, ++column) {
+        if (column == step.node_columns) column = 0, ++row;
         at.x.lower[i] = column == 0 ? 1.0 : 0.5, at.x.upper[i] = column == step.columns - 1 ? 1.0 : 0.5;
         at.y.lower[i] = row == 0 ? 1.0 : 0.5, at.y.upper[i] = row == step.rows - 1 ? 1.0 : 0.5;
       }
@@ -138,7 +144,8 @@ struct Squares {
         const Lanes mean = load(sums.quantity(volume + axis * n_slopes + k) + s) * inverse;
         off[k] = some ? integral - mean : all(0.0);
         if (degree == 2 || k == 0)
-          store(step.mean + static_cast<std::size_t>(degree == 1 ? axis : axis * n_slopes + k) * step.mean_stride + square,
+          store(step.mean + static_cast<std::size_t>(degree == 1 ? axis : axis * n_slopes + k) * step.mean_stride +
+                    square,
                 off[k], count);
       }
       for (int component = 2 * axis; component < 2 * axis + 2; ++component) {
@@ -229,14 +236,18 @@ struct Squares {
 
   /// From the squares around to the nodes m ... m + 7.
   template <Weight weight>
-  SETTLE_INLINE static void gather(const Step& step, const CellArrays& cells, std::size_t m, double gravity, double* nodes) {
+  SETTLE_INLINE static void gather(const Step& step, const CellArrays& cells, std::size_t m, double gravity,
+                                   double* nodes) {
     const auto columns = static_cast<std::size_t>(step.node_columns);
-    const auto put = [&](int array, const Lanes& lanes) { store(nodes + static_cast<std::size_t>(array) * step.n_nodes + m, lanes); };
+    const auto put = [&](int array, const Lanes& lanes) {
+      store(nodes + static_cast<std::size_t>(array) * step.n_nodes + m, lanes);
+    };
     const auto by_node = [&](int what) {
       Lanes sum = all(0.0);
       for (int j = 0; j < n; ++j)
         for (int i = 0; i < n; ++i)
-          sum += load(cells.quantity(node_values + what * n2 + i + n * j) + m - static_cast<std::size_t>(i) - columns * static_cast<std::size_t>(j));
+          sum += load(cells.quantity(node_values + what * n2 + i + n * j) + m - static_cast<std::size_t>(i) -
+                      columns * static_cast<std::size_t>(j));
       return sum;
     };
     const Lanes lumped = by_node(0);
@@ -245,8 +256,10 @@ struct Squares {
       put(node_momentum + d, by_node(1 + d));
       put(node_force + d, by_node(3 + d));
     }
-    if constexpr (weight == Weight::uniform) put(node_external, -gravity * lumped);
-    else put(node_external, by_node(5));
+    if constexpr (weight == Weight::uniform)
+      put(node_external, -gravity * lumped);
+    else
+      put(node_external, by_node(5));
     if constexpr (weight == Weight::with_force) put(node_external + 1, by_node(6));
     // couplings of node (i, j) of a square with node (i + di, j + dj)
     int edge = 0;
@@ -301,14 +314,16 @@ struct Squares {
     return step.full_cells ? scatter_in<true>(step, strip, scratch) : scatter_in<false>(step, strip, scratch);
   }
 
-  SETTLE_INLINE static void set_constants(const Step& step, const Strip& strip, const CellArrays& cells, std::size_t s) {
+  SETTLE_INLINE static void set_constants(const Step& step, const Strip& strip, const CellArrays& cells,
+                                          std::size_t s) {
     const auto columns = static_cast<std::size_t>(step.node_columns);
     const Functions at = functions_at(step, strip, s);
     const std::size_t node = strip.first_node(step) + s;
     const auto put = [&](const double* from, double factor, int to, Lanes c[n2]) {
       for (int j = 0; j < n; ++j)
         for (int i = 0; i < n; ++i)
-          c[i + n * j] = load(from + node + static_cast<std::size_t>(i) + columns * static_cast<std::size_t>(j)) * factor;
+          c[i + n * j] =
+              load(from + node + static_cast<std::size_t>(i) + columns * static_cast<std::size_t>(j)) * factor;
       for (int j = 0; j < n; ++j)
         at.x.to_products(c + n * j, 1);
       for (int i = 0; i < n; ++i)
@@ -325,7 +340,8 @@ struct Squares {
         Lanes sum = all(0.0);
         for (int k = 0; k < n_slopes; ++k) {
           const int i = axis == 0 ? k % degree : k % n, j = axis == 0 ? k / degree : k / n;
-          const double* mean = step.mean + static_cast<std::size_t>(degree == 1 ? axis : axis * n_slopes + k) * step.mean_stride;
+          const double* mean =
+              step.mean + static_cast<std::size_t>(degree == 1 ? axis : axis * n_slopes + k) * step.mean_stride;
           const Lanes off = load(mean + node);
           const Lanes slope = slope_of(c, i, j, axis);
           sum += degree == 1 && k == 1 ? -off * slope : off * slope;
@@ -343,7 +359,8 @@ struct Squares {
   }
 
   template <bool full>
-  SETTLE_INLINE static Mask move_points(const Step& step, const PointArrays& points, std::size_t p, int count, double* block) {
+  SETTLE_INLINE static Mask move_points(const Step& step, const PointArrays& points, std::size_t p, int count,
+                                        double* block) {
     const auto of_cell = [block](int k) { return load(block + static_cast<std::size_t>(k) * Points::pitch); };
     const Place before = place(step, load(points.position[0] + p, count), load(points.position[1] + p, count));
     Lanes value[2][n], slope[2][degree], square[2][n_squares];
@@ -403,11 +420,9 @@ struct Squares {
       set_constants(step, strip, cells, s);
     spread_over_points<1, constants_of(full), Points>(
         step, index, scratch.block, cells, [&](const PointArrays& points, std::size_t first, int size, bool strays) {
-          for (int q = 0; q < size; q += n_lanes) {
-            const std::size_t p = first + static_cast<std::size_t>(q);
-            const int count = least(size - q, n_lanes);
-            report(step, index, strays, p, count, move_points<full>(step, points, p, count, scratch.block + q));
-          }
+          move_block<Points::size>(step, index, strays, first, size, [&](std::size_t p, int count, int q) {
+            return move_points<full>(step, points, p, count, scratch.block + q);
+          });
           if (!step.rate) step.deform(step.context, first, size, scratch.block, Points::pitch);
         });
   }

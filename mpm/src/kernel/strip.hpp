@@ -70,6 +70,15 @@ SETTLE_INLINE void add_up_all(const double* block, int q0, int q1, double* cell,
 /// Gives `count` quantities of a cell to its points q0 ... q1 - 1, and to some after them.
 template <int count, std::size_t pitch>
 SETTLE_INLINE void spread(const double* cell, std::size_t stride, double* block, int q0, int q1) {
+  if (q1 - q0 <= n_lanes / 2) { // most cells hold no more: narrow stores straddle fewer cache lines
+#pragma GCC unroll 64
+    for (int k = 0; k < count; ++k) {
+      const double v = cell[static_cast<std::size_t>(k) * stride];
+      const HalfLanes value{v, v, v, v};
+      __builtin_memcpy(block + static_cast<std::size_t>(k) * pitch + q0, &value, sizeof value);
+    }
+    return;
+  }
   for (int k = 0; k < count; ++k) {
     const Lanes value = all(cell[static_cast<std::size_t>(k) * stride]);
     double* to = block + static_cast<std::size_t>(k) * pitch;
@@ -83,9 +92,9 @@ template <int cells_per_square, class Action>
 SETTLE_INLINE void for_each_cell(const Step& step, const Strip& strip, Action&& action) {
   for (int row = strip.first_row; row < strip.last_row; ++row) {
     std::size_t square = static_cast<std::size_t>(row - strip.first_row) * static_cast<std::size_t>(step.node_columns);
-    const std::uint32_t* begin =
-        step.begin + static_cast<std::size_t>(cells_per_square) * static_cast<std::size_t>(row) *
-                         static_cast<std::size_t>(step.columns);
+    const std::uint32_t* begin = step.begin + static_cast<std::size_t>(cells_per_square) *
+                                                  static_cast<std::size_t>(row) *
+                                                  static_cast<std::size_t>(step.columns);
     for (int column = 0; column < step.columns; ++column, ++square)
       for (int which = 0; which < cells_per_square; ++which, ++begin)
         action(which, square, std::size_t{begin[0]}, std::size_t{begin[1]});
@@ -113,8 +122,8 @@ template <int cells_per_square, int count, class Blocks, class Fill>
 SETTLE_INLINE void sum_over_cells(const Step& step, int index, double* block, const CellArrays& cells, Fill&& fill) {
   const Strip strip(step, index);
   const auto add = [&](const PointArrays& points, std::size_t end, bool strays) {
-    return [&, end, strays, block_first = std::size_t{0}, block_last = std::size_t{0}](
-               int which, std::size_t square, std::size_t first, std::size_t last) mutable {
+    return [&, end, strays, block_first = std::size_t{0},
+            block_last = std::size_t{0}](int which, std::size_t square, std::size_t first, std::size_t last) mutable {
       double* sums = cells.quantity(which * count) + square;
       bool begins = !strays;
       if (first == last)
@@ -137,7 +146,8 @@ SETTLE_INLINE void sum_over_cells(const Step& step, int index, double* block, co
   const auto last_cell = static_cast<std::size_t>(cells_per_square) * static_cast<std::size_t>(strip.last_row) *
                          static_cast<std::size_t>(step.columns);
   for_each_cell<cells_per_square>(step, strip, add(step.points, step.begin[last_cell], false));
-  for_each_cell_of_strays<cells_per_square>(step, index, add(step.strays[index].points, step.strays[index].count, true));
+  for_each_cell_of_strays<cells_per_square>(step, index,
+                                            add(step.strays[index].points, step.strays[index].count, true));
 }
 
 /// Gives `count` quantities of the cells to their points; `use(points, first, n, strays)` takes those of a block.
@@ -180,8 +190,9 @@ SETTLE_INLINE Lanes gravity_on(const Step& step, const std::int32_t* layer, int 
 /// Zeroes what an earlier strip left behind the last square of a shorter one.
 SETTLE_INLINE void clear_behind(const Step& step, const Strip& strip, const CellArrays& cells, int count) {
   if (strip.last_row - strip.first_row == step.strip_rows) return;
-  const std::size_t end = strip.n_squares + static_cast<std::size_t>(step.overlap) *
-                                                static_cast<std::size_t>(step.node_columns + 1) + n_lanes;
+  const std::size_t end = strip.n_squares +
+                          static_cast<std::size_t>(step.overlap) * static_cast<std::size_t>(step.node_columns + 1) +
+                          n_lanes;
   const std::size_t whole = static_cast<std::size_t>(step.strip_rows) * static_cast<std::size_t>(step.node_columns);
   for (int k = 0; k < count; ++k)
     for (std::size_t s = strip.n_squares; s < (end < whole ? end : whole); ++s)

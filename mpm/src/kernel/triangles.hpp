@@ -11,8 +11,22 @@ using Points = Block<128>;
 constexpr int per_square = 2;
 
 /// Sums of a triangle: mass by pairs of shape functions, momentum by shape function, volume and stress.
-enum Sum { mass_00, mass_01, mass_02, mass_11, mass_12, mass_22, momentum_x, momentum_y = 9, volume = 12,
-           stress_xx, stress_yy, stress_xy, external_y, external_x = 19 };
+enum Sum {
+  mass_00,
+  mass_01,
+  mass_02,
+  mass_11,
+  mass_12,
+  mass_22,
+  momentum_x,
+  momentum_y = 9,
+  volume = 12,
+  stress_xx,
+  stress_yy,
+  stress_xy,
+  external_y,
+  external_x = 19
+};
 /// How many there are.
 constexpr int sums_of(Weight weight) {
   return weight == Weight::uniform ? 16 : weight == Weight::by_layer ? 19 : 22;
@@ -47,7 +61,9 @@ SETTLE_INLINE Place place(const Step& step, const Lanes& x, const Lanes& y) {
 
 template <Weight weight>
 SETTLE_INLINE void products(const Step& step, const PointArrays& points, std::size_t p, int count, double* block) {
-  const auto put = [block](int k, const Lanes& lanes) { store(block + static_cast<std::size_t>(k) * Points::pitch, lanes); };
+  const auto put = [block](int k, const Lanes& lanes) {
+    store(block + static_cast<std::size_t>(k) * Points::pitch, lanes);
+  };
   const Lanes mass = load(points.mass + p, count);
   const Place at = place(step, load(points.position[0] + p, count), load(points.position[1] + p, count));
   const Lanes share[3] = {mass * at.value[0], mass * at.value[1], mass * at.value[2]};
@@ -113,7 +129,9 @@ SETTLE_INLINE void gather(const Step& step, const CellArrays& cells, std::size_t
   const auto c = static_cast<std::size_t>(step.node_columns);
   const auto lower = [&](int k, std::size_t back) { return load(cells.quantity(k) + n - back); };
   const auto upper = [&](int k, std::size_t back) { return load(cells.quantity(count + k) + n - back); };
-  const auto put = [&](int array, const Lanes& lanes) { store(nodes + static_cast<std::size_t>(array) * step.n_nodes + n, lanes); };
+  const auto put = [&](int array, const Lanes& lanes) {
+    store(nodes + static_cast<std::size_t>(array) * step.n_nodes + n, lanes);
+  };
   const auto by_corner = [&](int k0, int k1, int k2) {
     return lower(k0, 0) + lower(k1, 1) + upper(k2, 1) + lower(k2, c) + upper(k1, c) + upper(k0, c + 1);
   };
@@ -121,9 +139,9 @@ SETTLE_INLINE void gather(const Step& step, const CellArrays& cells, std::size_t
   const Lanes mass = diagonal + by_corner(mass_01, mass_01, mass_02) + by_corner(mass_02, mass_12, mass_12);
   put(node_mass, mass);
   put(node_matrix, diagonal);
-  put(node_matrix + 1, lower(mass_01, 0) + upper(mass_01, c));             // with node + 1
-  put(node_matrix + 2, lower(mass_12, 1) + upper(mass_12, 1));             // with node + c - 1
-  put(node_matrix + 3, lower(mass_02, 0) + upper(mass_02, 1));             // with node + c
+  put(node_matrix + 1, lower(mass_01, 0) + upper(mass_01, c)); // with node + 1
+  put(node_matrix + 2, lower(mass_12, 1) + upper(mass_12, 1)); // with node + c - 1
+  put(node_matrix + 3, lower(mass_02, 0) + upper(mass_02, 1)); // with node + c
   for (int d = 0; d < 2; ++d) {
     const int k = momentum_x + 3 * d;
     put(node_momentum + d, by_corner(k, k + 1, k + 2));
@@ -132,8 +150,10 @@ SETTLE_INLINE void gather(const Step& step, const CellArrays& cells, std::size_t
     const Lanes up = lower(y, c) - upper(y, 1) + upper(y, c + 1) - lower(y, 0);
     put(node_force + d, (right + up) * step.inverse_size);
   }
-  if constexpr (weight == Weight::uniform) put(node_external, -gravity * mass);
-  else put(node_external, by_corner(external_y, external_y + 1, external_y + 2));
+  if constexpr (weight == Weight::uniform)
+    put(node_external, -gravity * mass);
+  else
+    put(node_external, by_corner(external_y, external_y + 1, external_y + 2));
   if constexpr (weight == Weight::with_force)
     put(node_external + 1, by_corner(external_x, external_x + 1, external_x + 2));
 }
@@ -194,13 +214,15 @@ SETTLE_INLINE void set_constants(const Step& step, const CellArrays& cells, std:
       put(change, by.volume_ratio), put(change + 1, by.xx), put(change + 2, by.yy), put(change + 3, by.zz);
       put(change + 4, by.xy);
     } else {
-      put(change, gradient.xx), put(change + 1, gradient.xy), put(change + 2, gradient.yx), put(change + 3, gradient.yy);
+      put(change, gradient.xx), put(change + 1, gradient.xy), put(change + 2, gradient.yx),
+          put(change + 3, gradient.yy);
       put(change + 4, all(0.0));
     }
   }
 }
 
-SETTLE_INLINE Mask move_points(const Step& step, const PointArrays& points, std::size_t p, int count, const double* block) {
+SETTLE_INLINE Mask move_points(const Step& step, const PointArrays& points, std::size_t p, int count,
+                               const double* block) {
   const auto of_cell = [block](int k) { return load(block + static_cast<std::size_t>(k) * Points::pitch); };
   const Place before = place(step, load(points.position[0] + p, count), load(points.position[1] + p, count));
   const auto interpolate = [&](int k) {
@@ -223,13 +245,10 @@ inline void move(const Step& step, int index, const Scratch& scratch) {
     set_constants(step, cells, strip.first_node(step) + s, s);
   spread_over_points<per_square, n_constants, Points>(
       step, index, scratch.block, cells, [&](const PointArrays& points, std::size_t first, int n, bool strays) {
-        if (!step.rate)
-          step.deform(step.context, first, n, scratch.block + change * Points::pitch, Points::pitch);
-        for (int q = 0; q < n; q += n_lanes) {
-          const std::size_t p = first + static_cast<std::size_t>(q);
-          const int count = least(n - q, n_lanes);
-          report(step, index, strays, p, count, move_points(step, points, p, count, scratch.block + q));
-        }
+        if (!step.rate) step.deform(step.context, first, n, scratch.block + change * Points::pitch, Points::pitch);
+        move_block<Points::size>(step, index, strays, first, n, [&](std::size_t p, int count, int q) {
+          return move_points(step, points, p, count, scratch.block + q);
+        });
       });
 }
 

@@ -1,5 +1,5 @@
-// The kernels for one instruction set: this file is compiled once for each, SETTLE_VARIANT being its name. Everything is
-// in a namespace of that name, and nothing of any library is used, so that no function can be taken from another.
+// The kernels for one instruction set: this file is compiled once for each, SETTLE_VARIANT being its name. Everything
+// is in a namespace of that name, and nothing of any library is used, so that no function can be taken from another.
 
 #pragma GCC diagnostic ignored "-Wsign-conversion" // sizes of small arrays are plain integers
 

@@ -48,9 +48,9 @@ public:
 
   /// Lumps mass, momentum, weight and internal force of all points to the nodes.
   void scatter(const Gravity& gravity);
-  /// Stable step [s], from the sums of `scatter`: `courant` times the shortest length of the space over the fastest wave,
-  /// sqrt(M / density). The density is that of the lightest cell, its points' mass over the volume its stress acts on: a
-  /// cell that is stiff in full but filled in part has a faster wave than the material.
+  /// Stable step [s], from the sums of `scatter`: `courant` times the shortest length of the space over the fastest
+  /// wave, sqrt(M / density). The density is that of the lightest cell, its points' mass over the volume its stress
+  /// acts on: a cell that is stiff in full but filled in part has a faster wave than the material.
   [[nodiscard]] double stable_time_step(double courant) const;
   /// Surface of each column of squares, as `column_heights` of the body, from the sums of `scatter` [m].
   [[nodiscard]] std::vector<double> column_heights() const;
