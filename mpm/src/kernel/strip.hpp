@@ -67,6 +67,31 @@ SETTLE_INLINE void add_up_all(const double* block, int q0, int q1, double* cell,
   }
 }
 
+/// Sums of eight cells with four points each, from the point of the block on that `block` is at.
+template <int count, std::size_t pitch>
+SETTLE_INLINE void add_up_fours(const double* block, double* cells, std::size_t stride) {
+  for (int k = 0; k < count; ++k, block += pitch, cells += stride) {
+#ifdef __AVX512F__
+    typedef std::int64_t Order __attribute__((vector_size(64)));
+    const auto pairs = [](const Lanes& a, const Lanes& b) {
+      return __builtin_shuffle(a, b, Order{0, 2, 4, 6, 8, 10, 12, 14}) +
+             __builtin_shuffle(a, b, Order{1, 3, 5, 7, 9, 11, 13, 15});
+    };
+    store(cells, pairs(pairs(load(block), load(block + 8)), pairs(load(block + 16), load(block + 24))));
+#else
+    for (int i = 0; i < n_lanes; ++i)
+      cells[i] = (block[4 * i] + block[4 * i + 1]) + (block[4 * i + 2] + block[4 * i + 3]);
+#endif
+  }
+}
+/// Do eight cells have four points each?
+SETTLE_INLINE bool are_fours(const std::uint32_t* begin) {
+  bool fours = true;
+  for (int i = 0; i < n_lanes; ++i)
+    fours = fours && begin[i + 1] - begin[i] == 4;
+  return fours;
+}
+
 /// Gives `count` quantities of a cell to its points q0 ... q1 - 1, and to some after them.
 template <int count, std::size_t pitch>
 SETTLE_INLINE void spread(const double* cell, std::size_t stride, double* block, int q0, int q1) {
@@ -87,18 +112,30 @@ SETTLE_INLINE void spread(const double* cell, std::size_t stride, double* block,
   }
 }
 
-/// Calls `action(cell, square, first, last)` for every cell of the strip with the range of its points.
-template <int cells_per_square, class Action>
-SETTLE_INLINE void for_each_cell(const Step& step, const Strip& strip, Action&& action) {
+/// Calls `action(cell, square, first, last)` for every cell of the strip with the range of its points; before that,
+/// `take_fours(square, first)` for eight cells of a row with four points each, unless it says that it cannot.
+template <int cells_per_square, class Action, class TakeFours>
+SETTLE_INLINE void for_each_cell(const Step& step, const Strip& strip, Action&& action, TakeFours&& take_fours) {
   for (int row = strip.first_row; row < strip.last_row; ++row) {
     std::size_t square = static_cast<std::size_t>(row - strip.first_row) * static_cast<std::size_t>(step.node_columns);
     const std::uint32_t* begin = step.begin + static_cast<std::size_t>(cells_per_square) *
                                                   static_cast<std::size_t>(row) *
                                                   static_cast<std::size_t>(step.columns);
-    for (int column = 0; column < step.columns; ++column, ++square)
+    for (int column = 0; column < step.columns;) {
+      if (cells_per_square == 1 && column + n_lanes <= step.columns && are_fours(begin) &&
+          take_fours(square, std::size_t{begin[0]})) {
+        column += n_lanes, square += n_lanes, begin += n_lanes;
+        continue;
+      }
       for (int which = 0; which < cells_per_square; ++which, ++begin)
         action(which, square, std::size_t{begin[0]}, std::size_t{begin[1]});
+      ++column, ++square;
+    }
   }
+}
+template <int cells_per_square, class Action>
+SETTLE_INLINE void for_each_cell(const Step& step, const Strip& strip, Action&& action) {
+  for_each_cell<cells_per_square>(step, strip, action, [](std::size_t, std::size_t) { return false; });
 }
 
 /// The same for its strays, with ranges of these; not for cells without any.
@@ -117,37 +154,55 @@ SETTLE_INLINE void for_each_cell_of_strays(const Step& step, int strip, Action&&
   }
 }
 
+/// A block of points that has been filled with quantities.
+template <class Blocks>
+struct Filled {
+  std::size_t first = 0, last = 0;
+
+  /// Makes it hold point p, `end` the last one that there is.
+  template <class Fill>
+  SETTLE_INLINE void reach(std::size_t p, std::size_t end, const PointArrays& points, Fill& fill) {
+    if (p < last) return;
+    first = p;
+    last = end - first < Blocks::size ? end : first + Blocks::size;
+    fill(points, first, static_cast<int>(last - first));
+  }
+};
+
 /// Sums `count` quantities of points over their cells. `fill(points, first, n)` puts those of a block into `block`.
 template <int cells_per_square, int count, class Blocks, class Fill>
 SETTLE_INLINE void sum_over_cells(const Step& step, int index, double* block, const CellArrays& cells, Fill&& fill) {
   const Strip strip(step, index);
-  const auto add = [&](const PointArrays& points, std::size_t end, bool strays) {
-    return [&, end, strays, block_first = std::size_t{0},
-            block_last = std::size_t{0}](int which, std::size_t square, std::size_t first, std::size_t last) mutable {
+  const auto last_cell = static_cast<std::size_t>(cells_per_square) * static_cast<std::size_t>(strip.last_row) *
+                         static_cast<std::size_t>(step.columns);
+  const std::size_t end = step.begin[last_cell];
+  Filled<Blocks> filled;
+  const auto add = [&](const PointArrays& points, std::size_t end_of_points, bool begins) {
+    return [&, end_of_points, begins](int which, std::size_t square, std::size_t p, std::size_t last) {
       double* sums = cells.quantity(which * count) + square;
-      bool begins = !strays;
-      if (first == last)
+      bool first_part = begins;
+      if (p == last)
         for (int k = 0; k < count; ++k)
           sums[static_cast<std::size_t>(k) * cells.stride] = 0.0;
-      while (first < last) {
-        if (first >= block_last) {
-          block_first = first;
-          block_last = end - first < Blocks::size ? end : first + Blocks::size;
-          fill(points, block_first, static_cast<int>(block_last - block_first));
-        }
-        const std::size_t until = last < block_last ? last : block_last;
-        add_up_all<count, Blocks::pitch>(block, static_cast<int>(first - block_first),
-                                         static_cast<int>(until - block_first), sums, cells.stride, begins);
-        begins = false;
-        first = until;
+      while (p < last) {
+        filled.reach(p, end_of_points, points, fill);
+        const std::size_t until = last < filled.last ? last : filled.last;
+        add_up_all<count, Blocks::pitch>(block, static_cast<int>(p - filled.first),
+                                         static_cast<int>(until - filled.first), sums, cells.stride, first_part);
+        first_part = false;
+        p = until;
       }
     };
   };
-  const auto last_cell = static_cast<std::size_t>(cells_per_square) * static_cast<std::size_t>(strip.last_row) *
-                         static_cast<std::size_t>(step.columns);
-  for_each_cell<cells_per_square>(step, strip, add(step.points, step.begin[last_cell], false));
-  for_each_cell_of_strays<cells_per_square>(step, index,
-                                            add(step.strays[index].points, step.strays[index].count, true));
+  for_each_cell<cells_per_square>(step, strip, add(step.points, end, true), [&](std::size_t square, std::size_t p) {
+    filled.reach(p, end, step.points, fill);
+    if (p + 4 * n_lanes > filled.last) return false;
+    add_up_fours<count, Blocks::pitch>(block + (p - filled.first), cells.quantity(0) + square, cells.stride);
+    return true;
+  });
+  filled = {};
+  const Strays& strays = step.strays[index];
+  for_each_cell_of_strays<cells_per_square>(step, index, add(strays.points, strays.count, false));
 }
 
 /// Gives `count` quantities of the cells to their points; `use(points, first, n, strays)` takes those of a block.
