@@ -8,6 +8,7 @@
 #include "settle/compare/campaign_io.hpp"
 #include "settle/compare/interrupt.hpp"
 #include "settle/compare/joined_solver.hpp"
+#include "settle/compare/pdf_report.hpp"
 #include "settle/compare/process.hpp"
 #include "settle/compare/solver_programs.hpp"
 #include "settle/exchange/program.hpp"
@@ -78,6 +79,10 @@ public:
     const bool fem = examine_solver("fem");
     const bool gnuplot = examine("gnuplot", find_in_path("gnuplot"),
                                  "needed for the report's figures (Debian: apt-get install gnuplot-nox)");
+    if (find_browser().empty())
+      fmt::print("absent   chromium: only `settle report --format pdf` needs it (Debian: apt-get install chromium)\n");
+    else
+      fmt::print("ok       browser for `settle report --format pdf`: {}\n", find_browser().string());
     const bool joined = examine_joined_solvers(campaign_);
     return mpm && fem && gnuplot && joined ? exchange::ExitCode::success : exchange::ExitCode::verdict_failed;
   }

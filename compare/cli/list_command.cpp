@@ -17,6 +17,15 @@ namespace fs = std::filesystem;
 
 namespace {
 
+/// The folder "cases" here, else the one that was installed with this program.
+fs::path cases_folder() {
+  const fs::path here = "cases";
+  std::error_code failure;
+  const fs::path self = fs::read_symlink("/proc/self/exe", failure);
+  const fs::path installed = self.parent_path().parent_path() / "share" / "settle" / "cases";
+  return !fs::is_directory(here, failure) && fs::is_directory(installed, failure) ? installed : here;
+}
+
 std::vector<fs::path> toml_files(const fs::path& folder) {
   std::error_code failure;
   fs::recursive_directory_iterator files(folder, failure);
@@ -79,16 +88,18 @@ public:
   [[nodiscard]] std::string purpose() const override {
     return "list the cases and campaigns of a folder, and your solvers";
   }
-  void declare(CLI::App& app) override { app.add_option("DIR", folder_, "folder; left out: cases"); }
+  void declare(CLI::App& app) override {
+    app.add_option("DIR", folder_, "folder; left out: cases here, else those that are installed");
+  }
   exchange::ExitCode run(const std::string&) override {
-    for (const fs::path& file : toml_files(folder_))
+    for (const fs::path& file : toml_files(folder_.empty() ? cases_folder() : fs::path(folder_)))
       fmt::print("{}: {}\n", file.string(), description_of(file));
     print_user_solvers();
     return exchange::ExitCode::success;
   }
 
 private:
-  std::string folder_ = "cases";
+  std::string folder_;
 };
 
 } // namespace

@@ -3,6 +3,8 @@
 
 #include "command.hpp"
 #include "run_and_report.hpp"
+#include "run_single.hpp"
+#include "run_with_slurm.hpp"
 #include "settle/compare/campaign_io.hpp"
 
 namespace settle::compare::cli {
@@ -85,16 +87,58 @@ public:
     options_.declare(app, "results/NAME, NAME being the file's, or its folder's for campaign.toml");
     app.add_option("--shard", options_.shard,
                    "i/n: only the i-th of n parts, dealt out run by run, a refinement family as one");
+    app.add_option("--costs", options_.costs,
+                   "outcome.json of an earlier campaign, by which parts are dealt out so that they take the same time; "
+                   "one file for all parts");
+    CLI::Option* executor =
+        app.add_option("--executor", executor_, "local: solvers run here; slurm: as job arrays; left out: local")
+            ->check(CLI::IsMember({"local", "slurm"}));
+    app.add_option("--slurm-option", slurm_.options, "option for sbatch, such as --partition=short; may be repeated")
+        ->needs(executor)
+        ->allow_extra_args(false);
+    app.add_option("--slurm-limit", slurm_.at_once,
+                   "so many runs of an array at a time; left out: as many as Slurm likes")
+        ->needs(executor)
+        ->check(CLI::PositiveNumber);
+    CLI::Option* single = app.add_option(
+        "--only-run", only_run_, "run nothing but this, \"RUN, SOLVER\" as progress shows it, and judge nothing");
+    app.add_flag("--judge-only", options_.judge_only, "run nothing, and judge what is there")->excludes(single);
   }
   ExitCode run(const std::string& command_line) override {
+    require_shard_of_costs();
     const Campaign campaign = read_campaign(file_);
     const fs::path folder = options_.out.empty() ? fs::path("results") / campaign_name(file_) : fs::path(options_.out);
+    if (!only_run_.empty()) return run_single(campaign, options_, folder, only_run_);
+    if (executor_ == "slurm" && !options_.judge_only) {
+      slurm_.folder = folder;
+      slurm_.command = words(folder);
+      return run_with_slurm(campaign, options_, slurm_, command_line);
+    }
     return run_and_report(campaign, options_, folder, command_line);
   }
 
 private:
-  std::string file_;
+  void require_shard_of_costs() const {
+    if (options_.costs.empty() || !options_.shard.empty()) return;
+    throw exchange::InputError({.where = "--costs",
+                                .what = "costs deal out the parts of a campaign, and no part is asked for",
+                                .given = options_.costs,
+                                .allowed = "together with --shard",
+                                .remedy = "add --shard i/n, or leave the costs out: records hold those of each run"});
+  }
+
+  /// This program, this campaign, this part of it.
+  [[nodiscard]] std::vector<std::string> words(const fs::path& folder) const {
+    std::vector<std::string> words{fs::read_symlink("/proc/self/exe").string(), "campaign", file_, "--out",
+                                   folder.string()};
+    if (!options_.shard.empty()) words.insert(words.end(), {"--shard", options_.shard});
+    if (!options_.costs.empty()) words.insert(words.end(), {"--costs", options_.costs});
+    return words;
+  }
+
+  std::string file_, only_run_, executor_ = "local";
   RunningOptions options_;
+  SlurmOptions slurm_;
 };
 
 } // namespace

@@ -80,16 +80,28 @@ KeyTable<Published> published_keys() {
   return keys;
 }
 
+KeyTable<ReportOptions> report_keys() {
+  KeyTable<ReportOptions> keys("What the report shows besides what is judged.");
+  keys.boolean("fields", &ReportOptions::fields,
+               {.doc =
+                    "settlement and vertical stress as they lie in space at the end of construction; of a refinement "
+                    "family those of its finest level"});
+  return keys;
+}
+
 KeyTable<Campaign> campaign_keys() {
   KeyTable<Campaign> keys("A campaign: cases, what is varied over them, and what the report shows.");
   keys.integer("format", &Campaign::format,
                {.range = exchange::exactly(1), .required = true, .doc = "version of this format"});
   keys.text("title", &Campaign::title, {.doc = "title of the report"});
   keys.text("description", &Campaign::description, {.doc = "what the campaign shows, in a few sentences"});
+  keys.texts("slurm_options", &Campaign::slurm_options,
+             {.doc = "given to sbatch with every job of --executor slurm, such as \"--partition=short\""});
   keys.named_tables("solver", &Campaign::solvers, joined_solver_keys());
   keys.table_array("run", &Campaign::runs, run_keys());
   keys.table_array("figure", &Campaign::figures, figure_keys());
   keys.table_array("published", &Campaign::published, published_keys());
+  keys.table("report", &Campaign::report, report_keys());
   return keys;
 }
 

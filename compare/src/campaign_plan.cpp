@@ -10,7 +10,9 @@
 #include "settle/compare/solver_programs.hpp"
 #include "settle/compare/text_file.hpp"
 #include "settle/exchange/case_io.hpp"
+#include "settle/exchange/errors.hpp"
 #include "settle/exchange/program.hpp"
+#include "settle/exchange/spelling.hpp"
 
 namespace settle::compare {
 
@@ -87,10 +89,32 @@ Plan plan_campaign(std::vector<ExpandedRun> runs, const fs::path& folder, bool f
 
 void look_again(Plan& plan, bool fresh) {
   for (Task& task : plan.tasks) {
-    task.record = read_record(task.job.result_file);
-    task.reason = reason_to_run(task.job.result_file, task.record, task.made_from);
+    look_again(task);
     if (fresh && task.reason == Reason::up_to_date) task.reason = Reason::forced;
   }
+}
+
+void look_again(Task& task) {
+  task.record = read_record(task.job.result_file);
+  task.reason = reason_to_run(task.job.result_file, task.record, task.made_from);
+}
+
+std::string title_of(const Plan& plan, const Task& task) {
+  return plan.runs[task.run].name + ", " + task.job.solver;
+}
+
+Task& task_titled(Plan& plan, const std::string& title) {
+  std::vector<std::string> titles;
+  for (Task& task : plan.tasks) {
+    titles.push_back(title_of(plan, task));
+    if (titles.back() == title) return task;
+  }
+  const auto nearest = exchange::nearest_spelling(title, titles);
+  throw exchange::InputError({.where = "--only-run",
+                              .what = "the campaign has no such run",
+                              .given = title,
+                              .allowed = "RUN, SOLVER as progress and --dry-run show them",
+                              .remedy = nearest ? "did you mean " + *nearest + "?" : ""});
 }
 
 std::vector<std::size_t> order_of(const Plan& plan) {

@@ -42,7 +42,7 @@ void Observer::report(const Task& task, const SolverRun* ended) {
 }
 
 std::string Observer::title(const Task& task) const {
-  return plan_.runs[task.run].name + ", " + task.job.solver;
+  return title_of(plan_, task);
 }
 
 /// What a task cost the last time, else what tasks of its solver have cost so far, on average [s].

@@ -11,7 +11,8 @@
 #include "settle/compare/judge.hpp"
 #include "settle/compare/judge_convergence.hpp"
 #include "settle/compare/run_folder.hpp"
-#include "settle/compare/solver_run.hpp"
+#include "settle/compare/solver_checks.hpp"
+#include "settle/compare/task_run.hpp"
 #include "settle/exchange/program.hpp"
 
 namespace settle::compare {
@@ -37,6 +38,8 @@ std::vector<RunOutcome> outcomes_of(const std::vector<ExpandedRun>& runs) {
     outcome.case_file = run.case_file.string();
     for (std::size_t i = 0; i < run.study.checks.size(); ++i)
       outcome.check_places.push_back(run.study.where(fmt::format("check.{}.quantity", i)));
+    for (std::size_t i = 0; run.study.converge && i < run.study.converge->expectations.size(); ++i)
+      outcome.expectation_places.push_back(run.study.where(fmt::format("converge.expect.{}.solver", i)));
     outcome.solvers.resize(run.solvers.size());
     outcomes.push_back(std::move(outcome));
   }
@@ -53,40 +56,6 @@ std::string complaint_of_folder(const std::filesystem::path& folder, const Expan
   }
 }
 
-void fail(SolverRun& run, SolverStatus status, const std::string& message) {
-  run.status = is_full(run.result_file.parent_path()) ? SolverStatus::disk_full : status;
-  run.message = message;
-  run.result.reset();
-}
-
-/// Notes what an attempt was made from and has cost, and with a result what that holds.
-void note(const Task& task, SolverRun& run) {
-  const RunRecord record{.made_from = task.made_from,
-                         .wall_time = run.wall_time,
-                         .cpu_time = run.cpu_time,
-                         .peak_memory = run.peak_memory};
-  try {
-    if (run.status == SolverStatus::finished) {
-      note_success(task.job.result_file, record);
-    } else if (run.status != SolverStatus::not_found) {
-      note_record(task.job.result_file, record);
-    }
-  } catch (const exchange::FileError& error) {
-    if (run.status == SolverStatus::finished) fail(run, SolverStatus::file_failed, error.what());
-  }
-}
-
-/// A solver's result that is up to date, with what it has cost.
-SolverRun taken_up(const Task& task) {
-  SolverRun run = stored_result(task.job.solver, task.job.result_file);
-  if (task.job.joined) describe(*task.job.joined, run);
-  run.command = command_of(task.job);
-  run.wall_time = task.record->wall_time;
-  run.cpu_time = task.record->cpu_time;
-  run.peak_memory = task.record->peak_memory;
-  return run;
-}
-
 /// The tasks of a plan being worked off by several threads.
 class Execution {
 public:
@@ -95,11 +64,9 @@ public:
         unfinished_(runs.size()) {}
 
   void run_all() {
-    for (std::size_t r = 0; r < plan_.runs.size(); ++r) {
-      const ExpandedRun& run = plan_.runs[r];
-      folder_complaints_.push_back(complaint_of_folder(run_folder(options_.folder, run.name), run));
-      unfinished_[r] = run.solvers.size();
-    }
+    folder_complaints_ = prepare_run_folders(plan_, options_.folder);
+    for (std::size_t r = 0; r < plan_.runs.size(); ++r)
+      unfinished_[r] = plan_.runs[r].solvers.size();
     const std::vector<std::size_t> order = order_of(plan_);
     parallel_for(order.size(), options_.jobs, [&](std::size_t i) {
       if (!stop_) execute(plan_.tasks[order[i]]);
@@ -118,17 +85,11 @@ private:
   SolverRun outcome_of(const Task& task) {
     if (!task.is_due()) {
       SolverRun run = taken_up(task);
-      if (run.status == SolverStatus::finished) return run; // else this build cannot read it: it is run
-    }
-    if (const std::string& complaint = folder_complaints_[task.run]; !complaint.empty()) {
-      SolverRun run{.solver = task.job.solver, .command = command_of(task.job), .result_file = task.job.result_file};
-      if (task.job.joined) describe(*task.job.joined, run);
-      fail(run, SolverStatus::no_folder, complaint);
-      return run;
-    }
-    SolverRun run = run_solver(task.job, stop_);
-    if (!stop_ || run.status == SolverStatus::finished) note(task, run);
-    return run;
+      if (run.status == SolverStatus::finished || options_.judge_only) return run;
+    } // else this build cannot read it: it is run
+    const std::string& complaint = folder_complaints_[task.run];
+    if (!complaint.empty()) return without_folder(task, complaint);
+    return options_.judge_only ? recorded_end(task) : run_task(task, stop_);
   }
 
   const Plan& plan_;
@@ -164,11 +125,11 @@ bool lacks_its_result(SolverStatus status) {
 } // namespace
 
 void require_solvers_agree(const Plan& plan, int jobs, const std::atomic<bool>& stop) {
-  std::vector<std::string> complaints(plan.tasks.size());
-  parallel_for(plan.tasks.size(), jobs, [&](std::size_t i) {
-    const Task& task = plan.tasks[i];
-    if (!stop && task.is_due()) complaints[i] = complaint_of(task.job, stop).value_or("");
-  });
+  std::vector<const SolverJob*> due;
+  for (const Task& task : plan.tasks) {
+    if (task.is_due()) due.push_back(&task.job);
+  }
+  const std::vector<std::string> complaints = complaints_of(due, jobs, stop);
   throw_if_interrupted(stop);
   std::set<std::string> shown;
   std::string text;
@@ -176,6 +137,13 @@ void require_solvers_agree(const Plan& plan, int jobs, const std::atomic<bool>& 
     if (!complaint.empty() && shown.insert(complaint).second) text += (text.empty() ? "" : "\n") + complaint;
   }
   if (!text.empty()) throw exchange::InputError(text);
+}
+
+std::vector<std::string> prepare_run_folders(const Plan& plan, const std::filesystem::path& folder) {
+  std::vector<std::string> complaints;
+  for (const ExpandedRun& run : plan.runs)
+    complaints.push_back(complaint_of_folder(run_folder(folder, run.name), run));
+  return complaints;
 }
 
 CampaignOutcome run_campaign(const Campaign& campaign, const Plan& plan, const RunOptions& options,
@@ -194,6 +162,11 @@ CampaignOutcome run_campaign(const Campaign& campaign, const Plan& plan, const R
   outcome.families = families_of(outcome.runs);
   outcome.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return outcome;
+}
+
+ExitCode exit_code_after(SolverStatus status) {
+  if (status == SolverStatus::finished) return ExitCode::success;
+  return lacks_its_result(status) ? ExitCode::file_failed : ExitCode::solver_failed;
 }
 
 ExitCode exit_code_of(const std::vector<RunOutcome>& runs, const std::vector<Family>& families) {

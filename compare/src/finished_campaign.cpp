@@ -21,6 +21,7 @@ using nlohmann::json;
 namespace {
 
 constexpr std::array written{"outcome.json", "verdicts.json", "junit.xml", "summary.md", "report.html"};
+constexpr std::array on_demand{"verdicts.csv", "figures.csv", "report.pdf"}; // by settle report --format
 
 fs::path note_in(const fs::path& folder) {
   return folder / "finished.json";
@@ -87,6 +88,8 @@ void discard_outcome(const fs::path& folder) {
   std::error_code nothing_there;
   fs::remove(note_in(folder), nothing_there);
   for (const char* name : written)
+    fs::remove(folder / name, nothing_there);
+  for (const char* name : on_demand)
     fs::remove(folder / name, nothing_there);
 }
 

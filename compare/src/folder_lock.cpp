@@ -95,8 +95,18 @@ void end_leftovers(const fs::path& file, pid_t dead) {
   }
 }
 
-bool take(int descriptor) {
-  return flock(descriptor, LOCK_EX | LOCK_NB) == 0;
+bool take(int descriptor, LockKind kind = LockKind::alone) {
+  return flock(descriptor, (kind == LockKind::alone ? LOCK_EX : LOCK_SH) | LOCK_NB) == 0;
+}
+
+bool wait_for_share(int descriptor) {
+  constexpr int attempts = 600;
+  constexpr auto pause = std::chrono::milliseconds(100);
+  for (int attempt = 0; attempt < attempts; ++attempt) {
+    if (take(descriptor, LockKind::shared)) return true;
+    std::this_thread::sleep_for(pause);
+  }
+  return false;
 }
 
 /// Takes the lock of a campaign that has died, as soon as what it has left running has ended.
@@ -122,9 +132,17 @@ bool take_over(int descriptor, const fs::path& file) {
        .remedy = "wait for its end, or choose another folder with --out"});
 }
 
+[[noreturn]] void throw_shared(const fs::path& folder) {
+  throw exchange::InputError({.where = folder.string(),
+                              .what = "single runs of this campaign are at work in this folder",
+                              .given = {},
+                              .allowed = "a campaign, or single runs (--only-run)",
+                              .remedy = "wait for their end, or choose another folder with --out"});
+}
+
 } // namespace
 
-FolderLock::FolderLock(const fs::path& folder) {
+FolderLock::FolderLock(const fs::path& folder, LockKind kind) {
   const fs::path file = folder / ".lock";
   constexpr mode_t for_all = 0666;
   descriptor_ = open(file.c_str(), O_RDWR | O_CREAT, for_all); // inherited by solvers on purpose
@@ -134,11 +152,14 @@ FolderLock::FolderLock(const fs::path& folder) {
                                .given = std::strerror(errno),
                                .allowed = {},
                                .remedy = "choose another place with --out"});
-  if (take(descriptor_) || take_over(descriptor_, file)) {
+  if (kind == LockKind::shared && wait_for_share(descriptor_)) return;
+  if (kind == LockKind::alone && (take(descriptor_) || take_over(descriptor_, file))) {
     write_holder(descriptor_);
     return;
   }
+  const bool is_shared = take(descriptor_, LockKind::shared);
   close(descriptor_);
+  if (is_shared) throw_shared(folder);
   throw_locked(folder, holder_of(file));
 }
 

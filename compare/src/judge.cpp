@@ -12,7 +12,7 @@ namespace settle::compare {
 namespace {
 
 Verdict solver_verdict(const RunOutcome& run, const SolverRun& solver) {
-  Verdict verdict{.run = run.name, .what = solver.solver + " ran to its end", .kind = "solver"};
+  Verdict verdict{.run = run.name, .what = solver.solver + " ran to its end", .kind = "solver", .leg = solver.solver};
   if (solver.status == SolverStatus::finished) {
     verdict.status = Status::passed;
     return verdict;

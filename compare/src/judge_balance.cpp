@@ -86,7 +86,9 @@ Verdict judge_audit(const RunOutcome& run, const std::string& solver, const Resu
                   .kind = "audit",
                   .limit = audit.limit,
                   .scale = audit.scale,
-                  .why = audit.why};
+                  .why = audit.why,
+                  .quantity = audit.scale,
+                  .leg = solver};
   const Stage* before = nullptr;
   for (const Stage& stage : result.stages) {
     const double residual = audit.residual(stage, before);
@@ -108,7 +110,9 @@ Verdict judge_stages(const RunOutcome& run, const std::string& solver, const Res
                   .kind = "audit",
                   .value = static_cast<double>(result.stages.size()),
                   .at_least = static_cast<double>(layers),
-                  .limit = static_cast<double>(layers)};
+                  .limit = static_cast<double>(layers),
+                  .quantity = "stages",
+                  .leg = solver};
   for (std::size_t i = 0; i < result.stages.size(); ++i) {
     if (result.stages[i].layer == static_cast<int>(i) + 1) continue;
     verdict.status = Status::failed;
@@ -128,7 +132,9 @@ Verdict judge_equilibrium(const RunOutcome& run, const std::string& solver, cons
                   .kind = "audit",
                   .value = 0,
                   .scale = "stages out of equilibrium",
-                  .why = "the case asks for equilibrium"};
+                  .why = "the case asks for equilibrium",
+                  .quantity = "equilibrium",
+                  .leg = solver};
   for (const Stage& stage : result.stages) {
     if (stage.in_equilibrium) continue;
     verdict.status = Status::failed;

@@ -85,7 +85,9 @@ Verdict judge_check(const RunOutcome& run, const Check& check) {
                   .kind = "check",
                   .at_least = check.at_least,
                   .limit = check.limit,
-                  .why = check.why};
+                  .why = check.why,
+                  .quantity = std::string(name_of(check.quantity)),
+                  .leg = fmt::format("{} - {}", request.value, request.reference)};
   try {
     measure_all(run, check, request, verdict);
     hold_to_limits(verdict);

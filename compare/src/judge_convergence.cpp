@@ -23,7 +23,9 @@ Verdict begun(const Family& family, const ConvergenceStudy& study, const std::st
           .kind = "convergence",
           .at_least = std::nan(""),
           .limit = std::nan(""),
-          .why = study.expected.why};
+          .why = study.expected.why,
+          .quantity = std::string(name_of(study.expected.quantity)),
+          .leg = study.expected.solver + (study.expected.against == ErrorAgainst::exact ? " - exact" : "")};
 }
 
 std::string measured_text(const ConvergenceFinding& finding) {
@@ -118,6 +120,11 @@ void add_unexpected(const Levels& levels, const std::string& solver, Family& fam
   }
 }
 
+/// Where a case says what it expects of a study; its file for one of which it expects nothing.
+std::string place_of(const RunOutcome& run, std::size_t study) {
+  return study < run.expectation_places.size() ? run.expectation_places[study] : run.case_file;
+}
+
 Family family_of(const Levels& levels) {
   const exchange::Refinement& refinement = *levels.front()->study.converge;
   Family family{.name = levels.front()->family, .size = refinement.size};
@@ -130,8 +137,12 @@ Family family_of(const Levels& levels) {
                                    [&](const ExpectedConvergence& each) { return each.solver == solver.solver; });
     if (!named) add_unexpected(levels, solver.solver, family);
   }
-  for (const ConvergenceStudy& study : family.studies)
-    judge_study(study, family);
+  for (std::size_t i = 0; i < family.studies.size(); ++i) {
+    const std::size_t first = family.verdicts.size();
+    judge_study(family.studies[i], family);
+    for (std::size_t each = first; each < family.verdicts.size(); ++each)
+      family.verdicts[each].where = place_of(*levels.front(), i);
+  }
   return family;
 }
 

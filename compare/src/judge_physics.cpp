@@ -73,7 +73,8 @@ std::vector<Verdict> judge_physics(const RunOutcome& run) {
                     .value = found.largest(),
                     .limit = same_number,
                     .scale = "the case's value",
-                    .why = "a comparison of different problems proves nothing"};
+                    .why = "a comparison of different problems proves nothing",
+                    .leg = solver.solver};
     hold_to_limits(verdict);
     if (!found.text().empty()) verdict.message = found.text();
     verdicts.push_back(verdict);

@@ -1,5 +1,7 @@
 #include "settle/compare/outcome_io.hpp"
 
+#include <algorithm>
+
 #include <nlohmann/json.hpp>
 
 #include "settle/compare/baseline.hpp"
@@ -9,6 +11,7 @@
 #include "settle/compare/run_folder.hpp"
 #include "settle/compare/solver_run.hpp"
 #include "settle/compare/text_file.hpp"
+#include "settle/exchange/case_io.hpp"
 #include "settle/exchange/errors.hpp"
 
 namespace settle::compare {
@@ -32,9 +35,19 @@ json to_json(const RunOutcome& run) {
   json solvers = json::array();
   for (const SolverRun& solver : run.solvers)
     solvers.push_back(to_json(solver));
-  return {{"name", run.name},           {"note", run.note},           {"family", run.family},
-          {"overrides", run.overrides}, {"case_file", run.case_file}, {"check_places", run.check_places},
-          {"solvers", solvers}};
+  json stored{{"name", run.name},
+              {"note", run.note},
+              {"family", run.family},
+              {"overrides", run.overrides},
+              {"case_file", run.case_file},
+              {"check_places", run.check_places},
+              {"expectation_places", run.expectation_places},
+              {"solvers", solvers}};
+  const bool has_no_folder = std::any_of(run.solvers.begin(), run.solvers.end(), [](const SolverRun& solver) {
+    return solver.status == SolverStatus::no_folder;
+  });
+  if (has_no_folder) stored["case"] = exchange::to_toml(run.study); // else it is in the run's folder
+  return stored;
 }
 
 /// What the solver left behind: its result where it finished, its failure as it was noted otherwise.
@@ -73,8 +86,12 @@ RunOutcome run_from(const json& stored, const JoinedSolvers& joined, const fs::p
   run.overrides = stored.at("overrides").get<std::vector<std::string>>();
   run.case_file = stored.value("case_file", "");
   run.check_places = stored.value("check_places", std::vector<std::string>());
+  run.expectation_places = stored.value("expectation_places", std::vector<std::string>());
   const fs::path folder = run_folder(campaign_folder, run.name);
-  run.study = stored_case(folder);
+  const auto without_folder = stored.find("case");
+  run.study = without_folder == stored.end()
+                  ? stored_case(folder)
+                  : exchange::parse_case(without_folder->get<std::string>(), case_in(folder).string());
   for (const json& solver : stored.at("solvers"))
     run.solvers.push_back(solver_from(solver, folder));
   describe_joined(joined, run);

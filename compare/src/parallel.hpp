@@ -13,6 +13,11 @@
 
 namespace settle::compare {
 
+/// How many threads the machine runs at a time.
+inline int cores() {
+  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
 /// Calls work(0) ... work(count - 1), at most `threads` at a time, in order of their start. The first exception is
 /// thrown again when all threads have ended; work that has not started then is left out.
 inline void parallel_for(std::size_t count, int threads, const std::function<void(std::size_t)>& work) {

@@ -2,16 +2,17 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdlib>
+#include <csignal>
 #include <fstream>
-
-#include <unistd.h>
+#include <functional>
+#include <thread>
 
 #include <boost/process/search_path.hpp>
 
 #include "child_process.hpp"
 #include "settle/compare/process_memory.hpp"
-#include "settle/exchange/errors.hpp"
+#include "settle/compare/text_file.hpp"
+#include "temporary_folder.hpp"
 
 namespace settle::compare {
 namespace {
@@ -31,31 +32,25 @@ ProcessEnd reason_to_kill(const ProcessRequest& request, const std::atomic<bool>
   return ProcessEnd::exited;
 }
 
-/// A file with a name of its own that is gone afterwards.
-class ScratchFile {
-public:
-  ScratchFile() : path_((std::filesystem::temp_directory_path() / "settle-output-XXXXXX").string()) {
-    const int descriptor = mkstemp(path_.data());
-    if (descriptor < 0) {
-      throw exchange::FileError({.where = path_,
-                                 .what = "a temporary file cannot be created",
-                                 .given = {},
-                                 .allowed = {},
-                                 .remedy = "set TMPDIR to a folder that can be written"});
-    }
-    close(descriptor);
-  }
-  ScratchFile(const ScratchFile&) = delete;
-  ScratchFile& operator=(const ScratchFile&) = delete;
-  ~ScratchFile() {
-    std::error_code ignored; // nothing is lost with a temporary file that stays
-    std::filesystem::remove(path_, ignored);
-  }
-  [[nodiscard]] std::filesystem::path path() const { return path_; }
+/// A scheduler that ends a job tells each of its processes by itself, the child maybe a moment before this one.
+bool is_told_too(const ProcessOutcome& outcome, const std::atomic<bool>& stop) {
+  constexpr int looks = 25;
+  constexpr auto pause = std::chrono::milliseconds(20);
+  if (outcome.end != ProcessEnd::signalled || outcome.code != SIGTERM) return false;
+  for (int look = 0; look < looks && !stop; ++look)
+    std::this_thread::sleep_for(pause);
+  return stop;
+}
 
-private:
-  std::string path_;
-};
+/// Runs a program, what it prints into a file that is gone afterwards.
+CapturedOutput captured(ProcessRequest request, const std::atomic<bool>& stop,
+                        const std::function<std::string(const std::filesystem::path&)>& read) {
+  const TemporaryFolder folder;
+  request.log = folder.file("output");
+  CapturedOutput output{.outcome = run_process(request, stop), .text = {}};
+  output.text = read(request.log);
+  return output;
+}
 
 } // namespace
 
@@ -74,19 +69,21 @@ ProcessOutcome run_process(const ProcessRequest& request, const std::atomic<bool
   if (killed_for != ProcessEnd::exited) child.kill_group();
   child.reap(outcome);
   if (killed_for != ProcessEnd::exited) outcome.end = killed_for;
+  if (is_told_too(outcome, stop)) outcome.end = ProcessEnd::stopped;
   outcome.wall_time = seconds_since(start);
   return outcome;
 }
 
 CapturedOutput run_captured(const std::filesystem::path& program, const std::vector<std::string>& arguments,
                             double time_limit, const std::atomic<bool>& stop) {
-  const ScratchFile log;
-  CapturedOutput output;
-  output.outcome =
-      run_process({.program = program, .arguments = arguments, .log = log.path(), .time_limit = time_limit}, stop);
   constexpr std::size_t all_lines = 1000;
-  output.text = tail_of(log.path(), all_lines);
-  return output;
+  return captured({.program = program, .arguments = arguments, .time_limit = time_limit}, stop,
+                  [](const std::filesystem::path& log) { return tail_of(log, all_lines); });
+}
+
+CapturedOutput run_captured_whole(const std::filesystem::path& program, const std::vector<std::string>& arguments,
+                                  double time_limit, const std::atomic<bool>& stop) {
+  return captured({.program = program, .arguments = arguments, .time_limit = time_limit}, stop, read_text);
 }
 
 std::filesystem::path find_in_path(const std::string& program) {

@@ -1,6 +1,7 @@
 #include "settle/compare/process_memory.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <limits>
@@ -26,6 +27,14 @@ double allowed_by(const fs::path& file) {
   return std::ifstream(file) >> bytes ? bytes : std::numeric_limits<double>::infinity();
 }
 
+/// What Slurm has given to the job this runs in [B]; infinite outside one.
+double allowed_by_slurm() {
+  constexpr double mebibyte = 1048576.0;
+  const char* given = std::getenv("SLURM_MEM_PER_NODE");
+  const double mebibytes = given != nullptr ? std::atof(given) : 0.0; // 0: all of the node's
+  return mebibytes > 0 ? mebibytes * mebibyte : std::numeric_limits<double>::infinity();
+}
+
 } // namespace
 
 double memory_of(pid_t process) {
@@ -41,8 +50,8 @@ double memory_of(pid_t process) {
 
 double machine_memory() {
   const double physical = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
-  return std::min(
-      {physical, allowed_by("/sys/fs/cgroup/memory.max"), allowed_by("/sys/fs/cgroup/memory/memory.limit_in_bytes")});
+  return std::min({physical, allowed_by_slurm(), allowed_by("/sys/fs/cgroup/memory.max"),
+                   allowed_by("/sys/fs/cgroup/memory/memory.limit_in_bytes")});
 }
 
 } // namespace settle::compare

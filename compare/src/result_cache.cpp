@@ -47,6 +47,11 @@ json to_json(const RunRecord& record) {
   if (record.result)
     stored["result"] = {
         {"size", record.result->size}, {"changed", record.result->changed}, {"hash", record.result->hash}};
+  if (record.failure)
+    stored["failure"] = {{"status", record.failure->status},
+                         {"exit_code", record.failure->exit_code},
+                         {"message", record.failure->message},
+                         {"tail", record.failure->tail}};
   return stored;
 }
 
@@ -58,6 +63,11 @@ RunRecord record_from(const json& stored) {
       .peak_memory = stored.at("peak_memory")};
   if (const auto result = stored.find("result"); result != stored.end())
     record.result = {.size = result->at("size"), .changed = result->at("changed"), .hash = result->at("hash")};
+  if (const auto failure = stored.find("failure"); failure != stored.end())
+    record.failure = {.status = failure->at("status"),
+                      .exit_code = failure->at("exit_code"),
+                      .message = failure->at("message"),
+                      .tail = failure->at("tail")};
   return record;
 }
 
@@ -124,7 +134,7 @@ void note_success(const fs::path& result_file, RunRecord record) {
 }
 
 void note_record(const fs::path& result_file, const RunRecord& record) {
-  write_text(record_file(result_file), to_json(record).dump() + "\n");
+  write_text(record_file(result_file), to_json(record).dump(-1, ' ', false, json::error_handler_t::replace) + "\n");
   sync_to_disk(record_file(result_file));
 }
 

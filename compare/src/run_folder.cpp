@@ -18,6 +18,18 @@ void remove_unfinished(const fs::path& folder) {
   }
 }
 
+std::string copied_table(const std::string& reference) {
+  return reference + ".csv";
+}
+
+/// The case with the copies of its reference tables.
+std::string text_in_folder(const ExpandedRun& run) {
+  exchange::Case copy = run.study;
+  for (auto& [name, reference] : copy.references)
+    reference.file = copied_table(name);
+  return exchange::to_toml(copy);
+}
+
 void write_where_different(const fs::path& file, const std::string& text) {
   std::error_code failure;
   if (fs::is_regular_file(file, failure) && read_text(file) == text) return;
@@ -41,14 +53,18 @@ fs::path case_in(const fs::path& run_folder) {
 void prepare_run_folder(const fs::path& folder, const ExpandedRun& run) {
   make_folder(folder);
   remove_unfinished(folder);
-  exchange::Case copy = run.study;
-  for (auto& [name, reference] : copy.references) {
+  for (const auto& [name, reference] : run.study.references) {
     const fs::path original = reference_path(run.study, reference);
-    reference.file = name + ".csv";
     std::error_code unreadable; // the verdict of the reference says so
-    fs::copy_file(original, folder / reference.file, fs::copy_options::overwrite_existing, unreadable);
+    fs::copy_file(original, folder / copied_table(name), fs::copy_options::overwrite_existing, unreadable);
   }
-  write_where_different(case_in(folder), exchange::to_toml(copy));
+  write_where_different(case_in(folder), text_in_folder(run));
+}
+
+bool is_prepared(const fs::path& folder, const ExpandedRun& run) {
+  std::error_code failure;
+  const fs::path file = case_in(folder);
+  return fs::is_regular_file(file, failure) && read_text(file) == text_in_folder(run);
 }
 
 bool is_full(const fs::path& folder) {

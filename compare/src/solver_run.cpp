@@ -21,15 +21,6 @@ namespace {
 
 constexpr std::size_t tail_lines = 15;
 
-std::vector<std::string> case_arguments(const SolverJob& job) {
-  std::vector<std::string> arguments{job.case_file.string()};
-  for (const std::string& override_text : job.overrides) {
-    arguments.emplace_back("--set");
-    arguments.push_back(override_text);
-  }
-  return arguments;
-}
-
 /// What is started for a job.
 struct Invocation {
   std::filesystem::path program{}; ///< empty: there is none
@@ -153,6 +144,15 @@ void run_process_of(const SolverJob& job, const Invocation& invocation, const st
 
 } // namespace
 
+std::vector<std::string> case_arguments(const SolverJob& job) {
+  std::vector<std::string> arguments{job.case_file.string()};
+  for (const std::string& override_text : job.overrides) {
+    arguments.emplace_back("--set");
+    arguments.push_back(override_text);
+  }
+  return arguments;
+}
+
 fs::path log_of(const fs::path& result_file) {
   return fs::path(result_file).replace_extension(".log");
 }
@@ -181,19 +181,6 @@ SolverRun run_solver(const SolverJob& job, const std::atomic<bool>& stop) {
   discard_result(job.result_file);
   run_process_of(job, invocation, stop, run);
   return run;
-}
-
-std::optional<std::string> complaint_of(const SolverJob& job, const std::atomic<bool>& stop) {
-  if (job.joined) return {}; // other programs know no --check
-  const fs::path program = find_solver(job.solver);
-  if (program.empty()) return {};
-  constexpr double enough_to_read_a_case = 60.0;
-  std::vector<std::string> arguments = case_arguments(job);
-  arguments.emplace_back("--check");
-  const CapturedOutput answer = run_captured(program, arguments, enough_to_read_a_case, stop);
-  const bool refused =
-      answer.outcome.end == ProcessEnd::exited && answer.outcome.code == static_cast<int>(ExitCode::bad_input);
-  return refused ? std::optional(answer.text) : std::nullopt;
 }
 
 SolverRun stored_result(const std::string& solver, const fs::path& result_file) {

@@ -1,3 +1,5 @@
+#include <map>
+
 #include <fmt/format.h>
 
 #include "settle/exchange/codec.hpp"
@@ -29,10 +31,25 @@ void flatten(const Table& table, const std::string& path, std::vector<Given>& le
   }
 }
 
+/// One key can be written in two ways, "a.b" in quotes and a.b without; TOML does not notice that they are one.
+void complain_of_the_second(const std::vector<Given>& leaves, const std::string& path, Reading& reading) {
+  std::map<std::string, std::string> places;
+  for (const Given& leaf : leaves) {
+    const auto [first, is_new] = places.try_emplace(leaf.path, leaf.value.where);
+    if (is_new) continue;
+    reading.complain({.where = leaf.value.where,
+                      .what = join(path, leaf.path) + " is given twice",
+                      .given = "also at " + first->second,
+                      .allowed = "each key once, with or without quotes",
+                      .remedy = {}});
+  }
+}
+
 std::vector<Given> leaves_of(const Given& given, const std::string& allowed, Reading& reading) {
   std::vector<Given> leaves;
   if (const auto* table = std::get_if<Table>(&given.value.data)) {
     flatten(*table, "", leaves);
+    complain_of_the_second(leaves, given.path, reading);
   } else {
     reading.complain_type(given, allowed);
   }

@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <toml++/toml.h>
 
 #include "settle/exchange/errors.hpp"
@@ -124,6 +125,16 @@ Value& member(Table& table, const std::string& key, const std::string& where) {
   return table.emplace_back(Entry{key, where, {Table{}, where}}).value;
 }
 
+/// Several names may be one key of a table, in quotes there: how many of the first ones are, at most.
+std::ptrdiff_t length_of_key(const Value& value, const std::vector<std::string>& names) {
+  const auto* table = std::get_if<Table>(&value.data);
+  if (table == nullptr) return 1;
+  for (auto last = names.end(); last - names.begin() > 1; --last) {
+    if (find(*table, fmt::format("{}", fmt::join(names.begin(), last, "."))) != nullptr) return last - names.begin();
+  }
+  return 1;
+}
+
 /// The value named by one more segment inside `inside`, created where a table does not have it yet.
 Value& descend(Value& value, const std::string& inside, const std::string& segment, const std::string& where) {
   if (auto* table = std::get_if<Table>(&value.data)) return member(*table, segment, where);
@@ -146,9 +157,13 @@ void apply(const std::string& text, Value& root) {
                       .remedy = {}});
   Value* target = &root;
   std::string inside;
-  for (const std::string& segment : segments(key, where)) {
-    target = &descend(*target, inside, segment, where);
-    inside += (inside.empty() ? "" : ".") + segment;
+  const std::vector<std::string> names = segments(key, where);
+  for (auto first = names.begin(); first != names.end();) {
+    const auto last = first + length_of_key(*target, {first, names.end()});
+    const std::string name = fmt::format("{}", fmt::join(first, last, "."));
+    target = &descend(*target, inside, name, where);
+    inside += (inside.empty() ? "" : ".") + name;
+    first = last;
   }
   *target = override_value(text.substr(equals + 1), {where, false});
 }

@@ -11,16 +11,17 @@ namespace {
 
 constexpr std::size_t fewest_levels = 3; // two errors always lie on a line
 
-void check_list(std::size_t length, const std::string& key, const Case& study, Reading& reading) {
+void check_list(std::size_t length, const std::string& key, const std::string& where, const Case& study,
+                Reading& reading) {
   const std::size_t levels = study.converge->levels();
   if (length != levels) {
-    reading.complain({.where = study.where("converge.set"),
+    reading.complain({.where = where,
                       .what = key + " does not have one value for each level",
                       .given = fmt::format("{} values", length),
                       .allowed = fmt::format("{} values, as many as the other lists of [converge]", levels),
                       .remedy = {}});
   } else if (length < fewest_levels) {
-    reading.complain({.where = study.where("converge.set"),
+    reading.complain({.where = where,
                       .what = key + " has too few levels for an observed order",
                       .given = fmt::format("{} values", length),
                       .allowed = fmt::format("at least {} levels", fewest_levels),
@@ -31,7 +32,10 @@ void check_list(std::size_t length, const std::string& key, const Case& study, R
 void check_levels(const Case& study, Reading& reading) {
   const Refinement& refinement = *study.converge;
   for (const auto& [key, values] : refinement.set)
-    check_list(values.size(), fmt::format("converge.set.\"{}\"", key), study, reading);
+    check_list(values.size(), fmt::format("converge.set.\"{}\"", key), study.where("converge.set"), study, reading);
+  if (!refinement.element_size.empty())
+    check_list(refinement.element_size.size(), "converge.element_size", study.where("converge.element_size"), study,
+               reading);
   if (refinement.levels() == 0) {
     reading.complain({.where = study.where("converge"),
                       .what = "[converge] varies nothing",

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <fstream>
 #include <iostream>
 #include <vector>
 
@@ -23,6 +24,7 @@ struct Arguments {
   std::string out;
   std::vector<std::string> overrides;
   bool check = false;
+  std::string cases;
   bool quiet = false;
   std::string log_format = "text";
 
@@ -30,11 +32,16 @@ struct Arguments {
 };
 
 void declare(CLI::App& app, Arguments& arguments, const SolverProgram& program) {
-  app.add_option("CASE", arguments.study, "case file (TOML)")->required();
+  CLI::Option* study = app.add_option("CASE", arguments.study, "case file (TOML)");
   app.add_option("--out", arguments.out, "result file to write (HDF5)");
   app.add_option("--set", arguments.overrides, "override a key of the case, as key=value; may be repeated")
       ->allow_extra_args(false);
-  app.add_flag("--check", arguments.check, "only check that the case can be run; writes nothing");
+  CLI::Option* check = app.add_flag("--check", arguments.check, "only check that the case can be run; writes nothing");
+  app.add_option("--cases", arguments.cases,
+                 "with --check, instead of CASE: a JSON file with a list of cases, each {\"case\": FILE, \"set\": "
+                 "[\"key=value\"]}; what cannot be run is reported as one JSON object a line")
+      ->needs(check)
+      ->excludes(study);
   app.add_flag("--quiet", arguments.quiet, "no progress");
   app.add_option("--log-format", arguments.log_format, "progress and errors as text, or as one JSON object a line")
       ->check(CLI::IsMember({"text", "json"}));
@@ -99,7 +106,51 @@ void solve(const SolverProgram& program, const Case& study, const Arguments& arg
   index.write();
 }
 
+/// A case of a list, with what is set.
+struct ListedCase {
+  std::string file;
+  std::vector<std::string> overrides;
+};
+
+std::vector<ListedCase> cases_in(const std::string& file) {
+  std::ifstream input(file);
+  try {
+    std::vector<ListedCase> cases;
+    for (const nlohmann::json& entry : nlohmann::json::parse(input))
+      cases.push_back({entry.at("case").get<std::string>(),
+                       entry.value("set", nlohmann::json::array()).get<std::vector<std::string>>()});
+    return cases;
+  } catch (const nlohmann::json::exception& error) {
+    throw InputError({.where = file,
+                      .what = "the list of cases cannot be read",
+                      .given = error.what(),
+                      .allowed = "a JSON array of {\"case\": FILE, \"set\": [\"key=value\"]}",
+                      .remedy = "correct the file"});
+  }
+}
+
+/// Checks all cases of a list: starting a program may take longer than reading many of them.
+ExitCode check_all(const SolverProgram& program, const std::vector<ListedCase>& cases) {
+  ExitCode code = ExitCode::success;
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    try {
+      program.check(read_case(cases[i].file, cases[i].overrides));
+    } catch (const InputError& error) {
+      code = ExitCode::bad_input;
+      print_event({{"event", "refused"}, {"case", i}, {"message", fmt::format("{}: {}", program.name, error.what())}});
+    }
+  }
+  return code;
+}
+
 ExitCode run(const SolverProgram& program, const Arguments& arguments) {
+  if (!arguments.cases.empty()) return check_all(program, cases_in(arguments.cases));
+  if (arguments.study.empty())
+    throw InputError({.where = "CASE",
+                      .what = "the case file is not given",
+                      .given = "",
+                      .allowed = "a TOML file",
+                      .remedy = fmt::format("{} CASE --out RESULT.h5", program.name)});
   if (!arguments.check && arguments.out.empty())
     throw InputError({.where = "--out",
                       .what = "the result file is not given",

@@ -7,6 +7,7 @@
 #include "settle/mpm/explicit_step.hpp"
 #include "settle/mpm/loading.hpp"
 #include "settle/mpm/spaces.hpp"
+#include "settle/mpm/viscous_damping.hpp"
 
 namespace settle::mpm {
 
@@ -27,7 +28,7 @@ template <class Space>
 class Run {
 public:
   Run(Body<Space>& body, const StageLoad& load, const exchange::ExplicitDynamic& settings, int threads)
-      : body_(body), load_(load), settings_(settings), step_(body, threads) {}
+      : body_(body), load_(load), settings_(settings), step_(body, threads), viscous_(settings.damping) {}
 
   /// One step, not beyond `dt_max`, with the layer's gravity at `factor`. Returns its length [s].
   double advance(double dt_max, double factor) {
@@ -67,20 +68,36 @@ public:
             .in_equilibrium = errors().met(settings_)};
   }
 
+  [[nodiscard]] bool relaxes() const { return settings_.relaxation == exchange::Relaxation::viscous; }
+
 private:
   Body<Space>& body_;
   const StageLoad& load_;
   const exchange::ExplicitDynamic& settings_;
   ExplicitStep<Space> step_;
+  ViscousDamping<Space::dim> viscous_;
   ForceSums sums_;
   double external_work_ = 0, kinetic_ = 0;
   std::int64_t steps_ = 0;
 
-  double finish_step(double dt_max) {
-    const double dt = std::min(dt_max, step_.stable_time_step(settings_.courant));
+  StepEnergy step(double dt) {
     sums_ = step_.accelerate(settings_.damping);
     const StepEnergy energy = step_.displace(dt, dt);
     step_.move();
+    return energy;
+  }
+  StepEnergy relax(double dt) {
+    const auto [kept, kick] = viscous_.damp(dt);
+    viscous_.know_forces(step_.nodes());
+    sums_ = step_.accelerate(0.0);
+    const StepEnergy energy = step_.displace(kick, dt, kept);
+    viscous_.know_displacements(step_.nodes());
+    step_.move();
+    return energy;
+  }
+  double finish_step(double dt_max) {
+    const double dt = std::min(dt_max, step_.stable_time_step(settings_.courant));
+    const StepEnergy energy = relaxes() ? relax(dt) : step(dt);
     external_work_ += energy.external_work;
     kinetic_ = energy.kinetic;
     ++steps_;
@@ -110,8 +127,10 @@ void advance_for(Run<Space>& run, double duration, Factor&& factor) {
 template <class Space>
 void hold_until_equilibrium(Run<Space>& run, const StageLoad& load, const exchange::ExplicitDynamic& settings) {
   for (double time = 0; time < settings.max_hold_time;) {
-    time += run.advance(settings.max_hold_time, 1.0);
+    const bool refills = run.relaxes() && time > 0;
+    time += refills ? run.refill_and_advance(settings.max_hold_time, 1.0) : run.advance(settings.max_hold_time, 1.0);
     if (!run.errors().met(settings)) continue;
+    if (run.relaxes()) run.refill();
     if (run.close() == 0) return;
     time = 0;
   }
@@ -124,7 +143,8 @@ template <class Space>
 StageReport load_explicit(Body<Space>& body, const StageLoad& load, const exchange::ExplicitDynamic& settings,
                           int threads) {
   Run<Space> run(body, load, settings, threads);
-  advance_for(run, settings.ramp_time, [&](double time) { return std::min(1.0, time / settings.ramp_time); });
+  if (const auto ramp = settings.ramp_time)
+    advance_for(run, *ramp, [&](double time) { return std::min(1.0, time / *ramp); });
   if (settings.hold)
     advance_for(run, *settings.hold, [](double) { return 1.0; });
   else

@@ -8,8 +8,9 @@ namespace settle::mpm {
 template <class Space>
 class ExplicitStep<Space>::Phases {
 public:
-  Phases(Body<Space>& body, int threads) : step(body, threads) {}
+  Phases(Body<Space>& body, int threads) : step(body, threads), n_nodes(body.space.n_nodes()) {}
   std::conditional_t<has_kernels<Space>, KernelStep<Space>, PointwiseStep<Space>> step;
+  int n_nodes;
 };
 
 template <class Space>
@@ -36,8 +37,8 @@ ForceSums ExplicitStep<Space>::accelerate(double damping) {
   return phases_->step.accelerate(damping);
 }
 template <class Space>
-StepEnergy ExplicitStep<Space>::displace(double kick, double dt) {
-  return phases_->step.displace(kick, dt);
+StepEnergy ExplicitStep<Space>::displace(double kick, double dt, double kept) {
+  return phases_->step.displace(kick, dt, kept);
 }
 template <class Space>
 void ExplicitStep<Space>::move() {
@@ -50,6 +51,13 @@ void ExplicitStep<Space>::gather() {
 template <class Space>
 auto ExplicitStep<Space>::node(int node) const -> NodeState<dim> {
   return phases_->step.node(node);
+}
+template <class Space>
+auto ExplicitStep<Space>::nodes() const -> Nodes<dim> {
+  Nodes<dim> nodes(static_cast<std::size_t>(phases_->n_nodes));
+  for (int n = 0; n < phases_->n_nodes; ++n)
+    nodes[static_cast<std::size_t>(n)] = node(n);
+  return nodes;
 }
 template <class Space>
 void ExplicitStep<Space>::set_displacement(int node, const Vector<dim>& displacement) {

@@ -44,6 +44,7 @@ const kernel::Phases& KernelStep<Space>::phases_of(const kernel::Variant& varian
 template <class Space>
 KernelStep<Space>::KernelStep(Body<Space>& body, int threads, const kernel::Variant& variant)
     : body_(body), phases_(phases_of(variant)), threads_(threads) {
+  step_.kept = 1.0;
   set_grid();
   set_material();
   allocate_nodes();
@@ -272,8 +273,8 @@ ForceSums KernelStep<Space>::accelerate(double damping) {
 }
 
 template <class Space>
-StepEnergy KernelStep<Space>::displace(double kick, double dt) {
-  step_.kick = kick, step_.dt = dt;
+StepEnergy KernelStep<Space>::displace(double kick, double dt, double kept) {
+  step_.kick = kick, step_.dt = dt, step_.kept = kept;
   crew_.run([&](int strip, int) {
     if (is_active(strip)) phases_.displace(step_, strip);
   });

@@ -33,7 +33,7 @@ public:
   [[nodiscard]] double stable_time_step(double courant) const;
   [[nodiscard]] std::vector<double> column_heights() const;
   ForceSums accelerate(double damping);
-  StepEnergy displace(double kick, double dt);
+  StepEnergy displace(double kick, double dt, double kept = 1.0);
   void move();
   void gather();
 

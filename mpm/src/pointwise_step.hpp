@@ -78,7 +78,7 @@ public:
   }
 
   /// The points' velocities change here, and their momenta are mapped back.
-  StepEnergy displace(double kick, double dt) {
+  StepEnergy displace(double kick, double dt, double kept = 1.0) {
     std::fill(remapped_.begin(), remapped_.end(), Vector<dim>::Zero().eval());
     for (const int cell : body_.cells.occupied)
       for_each_point(cell, [&](std::size_t p, const Stencil& stencil) {
@@ -86,7 +86,7 @@ public:
         for (int i = 0; i < stencil.size(); ++i)
           acceleration += stencil.value(i) * at(stencil.node(i)).acceleration;
         for (int d = 0; d < dim; ++d)
-          momentum[d] = body_.points.mass[p] * (velocity(d, p) += kick * acceleration[d]);
+          momentum[d] = body_.points.mass[p] * (velocity(d, p) = kept * velocity(d, p) + kick * acceleration[d]);
         for (int i = 0; i < stencil.size(); ++i)
           remapped_[static_cast<std::size_t>(stencil.node(i))] += stencil.value(i) * momentum;
       });

@@ -38,6 +38,15 @@ TEST_F(CampaignCommand, ResultsThatAreUpToDateAreUsedAgain) {
   EXPECT_EQ(runs_of("mpm"), 2);
 }
 
+TEST_F(CampaignCommand, FieldPicturesAreLeftOutOnRequestAndComeBackWithoutARun) {
+  const std::string picture = "<figure class=\"fields\"";
+  ASSERT_EQ(run_case({"--no-fields"}).code, 0);
+  EXPECT_TRUE(content_of(out() / "report.html").find(picture) == std::string::npos);
+  ASSERT_EQ(run_case().code, 0);
+  EXPECT_TRUE(content_of(out() / "report.html").find(picture) != std::string::npos);
+  EXPECT_EQ(runs_of("mpm"), 1);
+}
+
 TEST_F(CampaignCommand, AnotherCaseOrAnotherProgramIsRunAgain) {
   ASSERT_EQ(run_case().code, 0);
   EXPECT_EQ(run_case({"--set", "title=another"}).code, 0);

@@ -8,7 +8,16 @@ namespace settle::compare::test {
 namespace {
 
 using testing::AllOf;
+using testing::ContainsRegex;
 using testing::HasSubstr;
+
+/// Where the first verdict on a family says that the case expects it.
+std::string place_of_convergence(const nlohmann::json& verdicts) {
+  for (const auto& verdict : verdicts.at("verdicts")) {
+    if (verdict.at("kind") == "convergence") return verdict.at("where");
+  }
+  return "no verdict on a family";
+}
 
 /// The played solvers hand over the exact solution on every level: errors are round-off.
 class ConvergeCommand : public CommandLine {
@@ -65,6 +74,10 @@ TEST_F(ConvergeCommand, AnotherVerdictThanExpectedIsExitCodeOne) {
   EXPECT_EQ(runs_of("fem"), 0); // nothing is expected of it
   const auto verdicts = nlohmann::json::parse(content_of(out() / "verdicts.json"));
   EXPECT_EQ(verdicts["status"], "failed");
+  const std::string place = place_of_convergence(verdicts);
+  EXPECT_THAT(place, ContainsRegex("column[.]toml:[0-9]+:[0-9]+$"));
+  const Answer again = settle({"check", out().string(), "--format", "json"});
+  EXPECT_EQ(place_of_convergence(nlohmann::json::parse(again.text)), place);
 }
 
 TEST_F(ConvergeCommand, ASolverOfWhichNothingIsExpectedIsMissing) {

@@ -9,8 +9,10 @@
 namespace settle::compare::test {
 namespace {
 
+namespace fs = std::filesystem;
 using testing::AllOf;
 using testing::HasSubstr;
+using testing::Not;
 
 class InformationCommands : public CommandLine {};
 
@@ -45,6 +47,23 @@ TEST_F(InformationCommands, ListShowsCasesCampaignsAndWhatCannotBeUsed) {
   EXPECT_THAT(answer.text, AllOf(HasSubstr("The paper's column (4 layers, refill)"), HasSubstr("campaign: many"),
                                  HasSubstr("broken.toml: cannot be used")));
   EXPECT_EQ(settle({"list", "/nowhere"}).code, 2);
+}
+
+TEST_F(InformationCommands, ListFindsTheCasesThatWereInstalledWithIt) {
+  const fs::path program = folder.path() / "prefix" / "bin" / "settle";
+  const fs::path cases = folder.path() / "prefix" / "share" / "settle" / "cases";
+  fs::create_directories(program.parent_path());
+  fs::create_directories(cases);
+  fs::copy_file(SETTLE_PROGRAM, program);
+  fs::copy_file(case_file, cases / "installed.toml");
+  const fs::path elsewhere = folder.path() / "elsewhere";
+  fs::create_directories(elsewhere);
+  const auto shell = folder.script("list", "cd " + elsewhere.string() + " && exec " + program.string() + " list");
+  EXPECT_THAT(run_program(shell, {}).text, HasSubstr("installed.toml: The paper's column"));
+  fs::create_directories(elsewhere / "cases");
+  fs::copy_file(case_file, elsewhere / "cases" / "mine.toml");
+  EXPECT_THAT(run_program(shell, {}).text,
+              AllOf(HasSubstr("cases/mine.toml: The paper's column"), Not(HasSubstr("installed.toml"))));
 }
 
 TEST_F(InformationCommands, DoctorNamesWhatIsMissing) {

@@ -52,7 +52,7 @@ json verdicts_in(const fs::path& folder) {
 std::string page_in(const fs::path& folder) {
   std::string page = content_of(folder / "report.html");
   page = std::regex_replace(page, std::regex("[0-9]{4}-[0-9]{2}-[0-9]{2}T[0-9:]{8}Z"), "(moment)");
-  return std::regex_replace(page, std::regex("[0-9.]+ (ms|s|min|h)\\b"), "(duration)");
+  return std::regex_replace(page, std::regex("[0-9.]+ (ms|s|min|h|MB)\\b"), "(cost)");
 }
 
 class KilledCampaign : public CommandLine {

@@ -1,6 +1,7 @@
 #include <array>
 #include <sstream>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
@@ -74,6 +75,23 @@ TEST_P(SolverProgram, ChecksWithoutRunning) {
   const Answer answer = run_program(GetParam(), {case_file.string(), "--check"});
   EXPECT_EQ(answer.code, 0) << answer.text;
   EXPECT_EQ(run_program(GetParam(), {case_file.string(), "--check", "--set", "construction.layers=7"}).code, 2);
+}
+
+TEST_P(SolverProgram, ChecksAListOfCasesAndNamesThoseItRefuses) {
+  const auto checked = [&](const std::string& list) {
+    return run_program(GetParam(), {"--check", "--cases", folder.file("cases.json", list).string()});
+  };
+  const std::string good = fmt::format(R"({{"case": "{}", "set": ["construction.layers=4"]}})", case_file.string());
+  const std::string bad = fmt::format(R"({{"case": "{}", "set": ["gravity=-1"]}})", case_file.string());
+  EXPECT_EQ(checked("[" + good + "," + good + "]").code, 0);
+  const Answer answer = checked("[" + good + "," + bad + "]");
+  EXPECT_EQ(answer.code, 2);
+  const auto event = nlohmann::json::parse(answer.text);
+  EXPECT_EQ(event.at("event"), "refused");
+  EXPECT_EQ(event.at("case"), 1);
+  EXPECT_THAT(event.at("message").get<std::string>(), HasSubstr("gravity is not an allowed value"));
+  EXPECT_THAT(checked("no list").text, HasSubstr("the list of cases cannot be read"));
+  EXPECT_THAT(run_program(GetParam(), {"--out", written().string()}).text, HasSubstr("the case file is not given"));
 }
 
 TEST_P(SolverProgram, ReportsEveryStageAsALineOfJson) {

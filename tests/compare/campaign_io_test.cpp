@@ -44,6 +44,8 @@ run = "refill 5"
 source = "fem"
 statistic = "max-vertical-stress"
 why = "not held"
+[report]
+fields = false
 )toml";
 
 std::string error_of(const std::string& text) {
@@ -75,6 +77,7 @@ TEST(CampaignFile, EveryKeyIsRead) {
   EXPECT_EQ(curve.density_of, "refill 10");
   EXPECT_EQ(campaign.published.at(0).statistic, Statistic::max_vertical_stress);
   EXPECT_DOUBLE_EQ(campaign.published[0].value, 77e3);
+  EXPECT_FALSE(campaign.report.fields);
 }
 
 TEST(CampaignFile, WhatIsWrittenIsReadAsTheSame) {
@@ -99,7 +102,7 @@ TEST(CampaignFile, NeedsARunAndKnownSolvers) {
 
 TEST(CampaignFile, TheSchemaKnowsItsKeys) {
   const std::string schema = campaign_schema();
-  for (const std::string key : {"$schema", "run", "figure", "curve", "published", "matrix", "statistic"}) {
+  for (const std::string key : {"$schema", "run", "figure", "curve", "published", "matrix", "statistic", "fields"}) {
     EXPECT_THAT(schema, HasSubstr("\"" + key + "\""));
   }
 }

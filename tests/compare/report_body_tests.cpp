@@ -48,8 +48,11 @@ std::size_t occurrences(const std::string& text, const std::string& part) {
 }
 
 TEST(BodyPage, DrawsFieldsAlongEveryLine) {
-  const std::string page = html_report(campaign_of(body_case()));
-  EXPECT_EQ(occurrences(page, "<svg"), 1U + 8U); // the campaign's figure; four fields along two lines
+  CampaignOutcome outcome = campaign_of(body_case());
+  outcome.campaign.report.fields = false;
+  const std::string page = html_report(outcome);
+  // The campaign's figure; four fields along two lines and their differences; settlement over stages.
+  EXPECT_EQ(occurrences(page, "<svg"), 1U + 16U + 1U);
   EXPECT_THAT(page, HasSubstr("Distance along probes.axis [m]"));
   EXPECT_THAT(page, HasSubstr("Distance along probes.level [m]"));
   EXPECT_THAT(page, HasSubstr("Eq. (1): Eq. (1) is for a column"));

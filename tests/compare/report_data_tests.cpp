@@ -1,7 +1,9 @@
 /// \file
 /// What machines and CI pages read: verdicts.json, junit.xml, summary.md.
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <sstream>
 #include <string>
 
 #include <gmock/gmock.h>
@@ -74,10 +76,70 @@ TEST(VerdictsJson, WritesNumbersInFullAndNotANumberAsNull) {
   EXPECT_TRUE(verdicts.at(1).at("value").is_null());
 }
 
+TEST(VerdictsJson, HoldsTheKeyFiguresInSiUnits) {
+  const json figures = json::parse(verdicts_json(synthetic_campaign({.runs = 1, .mpm_error = 0.0}))).at("figures");
+  const auto found = std::find_if(figures.begin(), figures.end(), [](const json& figure) {
+    return figure.at("source") == "fem" && figure.at("figure") == "max-vertical-stress";
+  });
+  ASSERT_NE(found, figures.end());
+  EXPECT_EQ(found->at("run"), "run 1");
+  EXPECT_EQ(found->at("unit"), "Pa");
+  EXPECT_NEAR(found->at("value").get<double>(), 1720.0 * 9.81 * 5.0, 1e-6);
+  EXPECT_NEAR(found->at("relative_difference").get<double>(), 0.0, 1e-12);
+}
+
 TEST(VerdictsJson, SurvivesMessagesThatAreNoUtf8) {
   CampaignOutcome outcome = synthetic_campaign();
   outcome.runs[0].verdicts[0].message = "crashed: \xff\x1b[31mred\x1b[0m";
   EXPECT_EQ(json::parse(verdicts_json(outcome)).at("verdicts").at(0).at("message"), "crashed: \uFFFDred");
+}
+
+/// The cells of the lines of a table without quotes.
+std::vector<std::vector<std::string>> table_of(const std::string& text) {
+  std::vector<std::vector<std::string>> table;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    table.emplace_back();
+    std::istringstream cells(line + ",");
+    for (std::string cell; std::getline(cells, cell, ',');)
+      table.back().push_back(cell);
+  }
+  return table;
+}
+
+TEST(Csv, HasALineAVerdictAndANumberThatReadsBack) {
+  CampaignOutcome outcome = synthetic_campaign({.runs = 2});
+  for (RunOutcome& run : outcome.runs) {
+    for (Verdict& verdict : run.verdicts)
+      verdict.what = "settlement";
+  }
+  outcome.runs[1].verdicts[1].value = 0.1 + 0.2;
+  const auto table = table_of(verdicts_csv(outcome));
+  ASSERT_EQ(table.size(), 5U);
+  for (const auto& line : table)
+    EXPECT_EQ(line.size(), 14U);
+  EXPECT_EQ(table[0][0], "case");
+  EXPECT_EQ(table[4][0], "run 2");
+  EXPECT_EQ(table[0][6], "value");
+  EXPECT_EQ(std::stod(table[4][6]), 0.1 + 0.2);
+}
+
+TEST(Csv, QuotesWhatWouldBreakALineAndLeavesOutWhatIsNoNumber) {
+  CampaignOutcome outcome = synthetic_campaign({.runs = 1});
+  outcome.runs[0].verdicts = {verdict_of(Status::missing, "a, \"b\"", nan, 0.1)};
+  outcome.runs[0].verdicts[0].message = "two\nlines";
+  const std::string text = verdicts_csv(outcome);
+  EXPECT_THAT(text, HasSubstr(",\"a, \"\"b\"\"\",,0,0.1,,"));
+  EXPECT_THAT(text, HasSubstr("\"two\nlines\"\n"));
+}
+
+TEST(Csv, HasTheKeyFiguresOfEverySolver) {
+  const auto table = table_of(figures_csv(synthetic_campaign({.runs = 1})));
+  ASSERT_EQ(table.size(), 10U); // five figures of mpm, four of fem, which refills nothing
+  EXPECT_EQ(table[0],
+            (std::vector<std::string>{"case", "source", "figure", "unit", "value", "exact", "relative_difference"}));
+  for (const auto& line : table)
+    EXPECT_EQ(line.size(), 7U);
 }
 
 TEST(ReportedVerdicts, NotANumberNeverPasses) {
@@ -165,6 +227,17 @@ TEST(Summary, GivesKeyFiguresWithTheirDifferenceFromTheExactSolution) {
   EXPECT_THAT(text, HasSubstr("1892 (0.0 %)"));                     // MPM mean density: made without error
   EXPECT_THAT(text, HasSubstr("0.2988 (0.0 %) | 84.37 (0.0 %) |")); // FEM at its probes: without error too
   EXPECT_THAT(text, HasSubstr("93.00 (+0.23 %)")); // MPM stress: + 1 % on its lowest point, 1/24 m above the base
+}
+
+TEST(Summary, HasAMatrixOfCasesAndLegs) {
+  CampaignOutcome outcome = campaign_with_problems();
+  for (RunOutcome& run : outcome.runs) {
+    for (Verdict& verdict : run.verdicts)
+      verdict.leg = "mpm - exact";
+  }
+  const std::string text = summary_markdown(outcome);
+  EXPECT_THAT(text, HasSubstr("| case | verdict | mpm − exact |"));
+  EXPECT_LT(place_of(text, "| run 2 | ! error | ! 2 of 5 |"), place_of(text, "| run 1 | ✓ passed | ✓ 2 of 2 |"));
 }
 
 TEST(Summary, KeepsMarkupOutOfTables) {

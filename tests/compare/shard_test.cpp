@@ -51,6 +51,24 @@ TEST(Shards, TogetherHoldEveryRunOnce) {
   EXPECT_THAT(all, testing::UnorderedElementsAreArray(names_of(some_runs())));
 }
 
+TEST(Shards, WithCostsTakeTheSameTimeAndKeepFamiliesTogether) {
+  const RunCosts costs{{"a", 1}, {"b", 2}, {"c", 3}, {"f 1", 4}, {"f 2", 4}, {"f 3", 4}, {"g 1", 3}, {"g 2", 4}};
+  EXPECT_THAT(names_of(runs_of({1, 2}, some_runs(), costs)), ElementsAre("a", "f 1", "f 2", "f 3")); // 12 + 1
+  EXPECT_THAT(names_of(runs_of({2, 2}, some_runs(), costs)), ElementsAre("b", "g 1", "g 2", "c"));   // 7 + 3 + 2
+}
+
+TEST(Shards, WithCostsHoldEveryRunOnceAlsoWhereSomeAreNotKnown) {
+  for (const RunCosts& costs : {RunCosts{{"a", 5}}, RunCosts{{"f 1", 1}, {"b", 0}}, RunCosts{{"somebody else's", 1}}}) {
+    std::vector<std::string> all;
+    for (int index = 1; index <= 5; ++index) {
+      const std::vector<std::string> part = names_of(runs_of({index, 5}, some_runs(), costs));
+      EXPECT_FALSE(part.empty());
+      all.insert(all.end(), part.begin(), part.end());
+    }
+    EXPECT_THAT(all, testing::UnorderedElementsAreArray(names_of(some_runs())));
+  }
+}
+
 TEST(Shards, OfNothingAreRefused) {
   EXPECT_THROW(runs_of({6, 6}, some_runs()), exchange::InputError); // five turns
 }

@@ -56,6 +56,11 @@ TEST(Override, OfTheSameKeyTwiceCountsTheLast) {
   EXPECT_EQ(with({"construction.layers=10", "construction.layers=20"}).construction.layers, 20);
 }
 
+TEST(Override, FindsAKeyThatTheFileHasInQuotes) {
+  const Case study = with({"converge.set.mpm.quasi_static.increments=[3, 4, 6]"});
+  EXPECT_EQ(study.converge->set.at("mpm.quasi_static.increments"), (std::vector<std::string>{"3", "4", "6"}));
+}
+
 TEST(Override, WithAnEqualsSignInItsTextKeepsIt) {
   EXPECT_EQ(with({"title=\"a = b\""}).title, "a = b");
 }

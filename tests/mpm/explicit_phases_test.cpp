@@ -13,20 +13,13 @@
 namespace settle::mpm::test {
 namespace {
 
-using Nodes = std::vector<NodeState<2>>;
-
 /// A body, and a step that has been begun.
 template <class Space>
 struct Scattered {
   Body<Space> body;
   ExplicitStep<Space> step{body};
 
-  [[nodiscard]] Nodes nodes() const {
-    Nodes all;
-    for (int n = 0; n < body.space.n_nodes(); ++n)
-      all.push_back(step.node(n));
-    return all;
-  }
+  [[nodiscard]] Nodes<Space::dim> nodes() const { return step.nodes(); }
 };
 
 template <class Space = TriangleSpace>
@@ -40,15 +33,16 @@ std::unique_ptr<Scattered<Space>> scattered(bool supported) {
   return state;
 }
 
-template <class Member>
-Vector<2> sum_of(const Nodes& nodes, Member member) {
-  Vector<2> sum = Vector<2>::Zero();
+template <int dim>
+Vector<dim> sum_of(const Nodes<dim>& nodes, Vector<dim> NodeState<dim>::*member) {
+  Vector<dim> sum = Vector<dim>::Zero();
   for (const auto& node : nodes)
     sum += node.*member;
   return sum;
 }
 
-double mass_of(const Nodes& nodes) {
+template <int dim>
+double mass_of(const Nodes<dim>& nodes) {
   double mass = 0;
   for (const auto& node : nodes)
     mass += node.mass;
@@ -57,35 +51,36 @@ double mass_of(const Nodes& nodes) {
 
 template <class Space>
 class ExplicitPhasesOf : public testing::Test {};
-TYPED_TEST_SUITE(ExplicitPhasesOf, EveryPlaneSpace, SpaceName);
+TYPED_TEST_SUITE(ExplicitPhasesOf, EverySpace, SpaceName);
 
 TYPED_TEST(ExplicitPhasesOf, ScatteringConservesMassAndMomentum) {
   const auto state = scattered<TypeParam>(false);
   auto& body = state->body;
-  const Nodes nodes = state->nodes();
+  const auto nodes = state->nodes();
   EXPECT_NEAR(mass_of(nodes) / total_mass(body.points), 1.0, 1e-14);
-  const Vector<2> momentum = total_momentum(body.points);
-  EXPECT_LT((sum_of(nodes, &NodeState<2>::momentum) - momentum).norm(), 1e-13 * total_mass(body.points));
+  const auto momentum = total_momentum(body.points);
+  EXPECT_LT((sum_of(nodes, &NodeState<TypeParam::dim>::momentum) - momentum).norm(), 1e-13 * total_mass(body.points));
 }
 
 TYPED_TEST(ExplicitPhasesOf, ExternalForceIsTheWeightAndInternalForcesCancelOut) {
   const auto state = scattered<TypeParam>(false);
   auto& body = state->body;
-  const Nodes nodes = state->nodes();
-  const Vector<2> external = sum_of(nodes, &NodeState<2>::external);
-  EXPECT_EQ(external[0], 0.0);
-  EXPECT_NEAR(external[1] / (-9.81 * total_mass(body.points)), 1.0, 1e-14);
+  const auto nodes = state->nodes();
+  constexpr int dim = TypeParam::dim;
+  const Vector<dim> external = sum_of(nodes, &NodeState<dim>::external);
+  EXPECT_EQ(external.template head<dim - 1>().norm(), 0.0);
+  EXPECT_NEAR(external[dim - 1] / (-9.81 * total_mass(body.points)), 1.0, 1e-14);
   double largest = 0;
   for (const auto& node : nodes)
     largest = std::max(largest, node.internal.norm());
   EXPECT_GT(largest, 0.0);
-  EXPECT_LT(sum_of(nodes, &NodeState<2>::internal).norm(), 1e-13 * largest);
+  EXPECT_LT(sum_of(nodes, &NodeState<dim>::internal).norm(), 1e-13 * largest);
 }
 
 TEST(ScatterPoints, InternalForceDoesTheWorkOfTheCellsStressOverTheirFullArea) {
   const auto state = scattered(false);
   auto& body = state->body;
-  const Nodes nodes = state->nodes();
+  const auto nodes = state->nodes();
   const auto field = [](const Vector<2>& x) { return Vector<2>(0.3 * x[0] - 0.2 * x[1], 0.7 * x[0] + 0.4 * x[1]); };
   double nodal = 0, expected = 0;
   for (int n = 0; n < body.space.n_nodes(); ++n)
@@ -120,27 +115,32 @@ TYPED_TEST(ExplicitPhasesOf, AConstantStressIsInEquilibriumInsideABlockWithPoint
   for (auto& component : body.points.stress)
     std::fill(component.begin(), component.end(), -5e3);
   state->step.scatter({});
-  const Nodes nodes = state->nodes();
-  int inner = 0;
+  const auto nodes = state->nodes();
+  constexpr std::size_t vertical = TypeParam::dim - 1;
+  const auto& numbering = body.space.node_numbering();
+  int inner = 0, expected = 2;
+  for (std::size_t d = 0; d < vertical; ++d)
+    expected *= numbering.counts[d] - 2;
   for (int n = 0; n < body.space.n_nodes(); ++n) {
-    const int column = n % body.space.node_columns(), row = n / body.space.node_columns();
-    const bool inside = column > 0 && column < body.space.node_columns() - 1 && row > 0 && row < 3;
-    const double force = nodes[static_cast<std::size_t>(n)].internal.norm();
+    const auto index = numbering.index(n);
+    bool inside = index[vertical] > 0 && index[vertical] < 3;
+    for (std::size_t d = 0; d < vertical; ++d)
+      inside = inside && index[d] > 0 && index[d] < numbering.counts[d] - 1;
     if (!inside) continue;
-    EXPECT_LT(force, 1e-12 * 5e3 * body.space.size());
+    EXPECT_LT(nodes[static_cast<std::size_t>(n)].internal.norm(), 1e-12 * 5e3 * body.space.column_area());
     ++inner;
   }
-  EXPECT_EQ(inner, 2 * (body.space.node_columns() - 2));
+  EXPECT_EQ(inner, expected);
 }
 
 TEST(Accelerate, DampingIsItsShareOfTheUnbalancedForceAgainstTheVelocityAndNeverTurnsTheAcceleration) {
   const auto state = scattered(false);
-  const Nodes before = state->nodes();
+  const auto before = state->nodes();
   state->step.accelerate(0.0);
-  const Nodes free = state->nodes();
+  const auto free = state->nodes();
   state->step.scatter({});
   state->step.accelerate(0.75);
-  const Nodes damped = state->nodes();
+  const auto damped = state->nodes();
   int judged = 0;
   for (std::size_t n = 0; n < free.size(); ++n)
     for (int d = 0; d < 2; ++d) {
@@ -156,12 +156,12 @@ TEST(Accelerate, DampingIsItsShareOfTheUnbalancedForceAgainstTheVelocityAndNever
 
 TYPED_TEST(ExplicitPhasesOf, AnUndampedNodeObeysNewton) {
   const auto state = scattered<TypeParam>(false);
-  const Nodes before = state->nodes();
+  const auto before = state->nodes();
   state->step.accelerate(0.0);
-  const Nodes after = state->nodes();
+  const auto after = state->nodes();
   for (std::size_t n = 0; n < after.size(); ++n)
     if (after[n].mass > 0.0) {
-      const Vector<2> unbalanced = before[n].external - before[n].internal;
+      const auto unbalanced = (before[n].external - before[n].internal).eval();
       EXPECT_LT((after[n].mass * after[n].acceleration - unbalanced).norm(), 1e-10 * before[n].external.norm());
     }
 }
@@ -171,7 +171,7 @@ TYPED_TEST(ExplicitPhasesOf, WhatIsNotAcceleratedIsCarriedByTheBase) {
   const auto sums = state->step.accelerate(0.0);
   double free_vertical = 0;
   for (const auto& node : state->nodes())
-    free_vertical += node.mass * node.acceleration[1];
+    free_vertical += node.mass * node.acceleration[TypeParam::dim - 1];
   EXPECT_NEAR(sums.base_reaction, 9.81 * total_mass(state->body.points) + free_vertical, 1e-9 * sums.external);
 }
 
@@ -180,19 +180,20 @@ TYPED_TEST(ExplicitPhasesOf, AStepConservesMassAndChangesMomentumByItsImpulse) {
   const auto state = scattered<TypeParam>(false);
   auto& [body, step] = *state;
   const double mass = total_mass(body.points);
-  const Vector<2> before = total_momentum(body.points);
+  using Momentum = Vector<TypeParam::dim>;
+  const Momentum before = total_momentum(body.points);
   step.accelerate(0.75);
-  Vector<2> impulse = Vector<2>::Zero();
+  Momentum impulse = Momentum::Zero();
   const double dt = 1e-3;
   for (const auto& node : state->nodes())
     impulse += dt * node.mass * node.acceleration;
   step.displace(dt, dt);
-  Vector<2> remapped = Vector<2>::Zero();
+  Momentum remapped = Momentum::Zero();
   for (const auto& node : state->nodes())
     remapped += node.mass / dt * node.displacement;
   step.move();
   step.gather();
-  const Vector<2> after = total_momentum(body.points);
+  const Momentum after = total_momentum(body.points);
   EXPECT_EQ(total_mass(body.points), mass);
   EXPECT_GT(impulse.norm(), 1e-4 * mass);
   EXPECT_LT((after - before - impulse).norm(), 1e-13 * mass);
@@ -202,25 +203,30 @@ TYPED_TEST(ExplicitPhasesOf, AStepConservesMassAndChangesMomentumByItsImpulse) {
 TYPED_TEST(ExplicitPhasesOf, NothingMovesThroughAFrictionlessSupport) {
   const auto state = scattered<TypeParam>(true);
   auto& [body, step] = *state;
-  const auto lowest_and_outermost = [&points = body.points, width = body.space.width()] {
-    const auto& [x, y] = points.position;
-    const auto [left, right] = std::minmax_element(x.begin(), x.end());
-    return std::array{*left, width - *right, *std::min_element(y.begin(), y.end())};
+  constexpr int dim = TypeParam::dim;
+  const auto distance_to_supports = [&position = body.points.position, &space = body.space] {
+    double distance = INFINITY;
+    for (int d = 0; d < dim; ++d) {
+      const auto& x = position[static_cast<std::size_t>(d)];
+      const auto [first, last] = std::minmax_element(x.begin(), x.end());
+      distance = std::min(distance, *first);
+      if (d + 1 < dim) distance = std::min(distance, space.extent(d) - *last);
+    }
+    return distance;
   };
   for (int k = 0; k < 200; ++k) {
     step.scatter({});
     const double dt = step.stable_time_step(0.5);
     step.accelerate(0.0);
     for (int n = 0; n < body.space.n_nodes(); ++n)
-      for (int d = 0; d < 2; ++d)
+      for (int d = 0; d < dim; ++d)
         if (body.fixed[static_cast<std::size_t>(n)][static_cast<std::size_t>(d)]) {
           EXPECT_EQ(step.node(n).acceleration[d], 0.0);
         }
     step.displace(dt, dt);
     step.move();
     step.gather();
-    for (const double distance : lowest_and_outermost())
-      ASSERT_GT(distance, 0.0) << "step " << k;
+    ASSERT_GT(distance_to_supports(), 0.0) << "step " << k;
   }
 }
 

@@ -73,7 +73,7 @@ Said advance(Step& step, const Gravity& gravity) {
   Said said{};
   said.dt = step.stable_time_step(0.5);
   said.forces = step.accelerate(0.4);
-  said.energy = step.displace(0.75 * said.dt, said.dt); // as where velocities are those of half steps
+  said.energy = step.displace(0.75 * said.dt, said.dt, 0.9); // as where velocities are those of half steps, and damped
   step.move();
   return said;
 }
@@ -186,7 +186,7 @@ template <class Space>
 Points<2> after_steps(int threads, const kernel::Variant& variant) {
   auto body = stirred_block<Space>({.block = {.columns = 70, .rows = 120, .filled_rows = 118}}, 0.5);
   KernelStep<Space> step(body, threads, variant);
-  for (int k = 0; k < 12; ++k)
+  for (int k = 0; k < 6; ++k)
     advance(step, ramped);
   step.gather();
   return body.points;
@@ -195,7 +195,7 @@ Points<2> after_steps(int threads, const kernel::Variant& variant) {
 TYPED_TEST(KernelStepOf, GivesTheSameBitsOnAnyNumberOfThreads) {
   const auto one = after_steps<TypeParam>(1, kernel::best_variant());
   ASSERT_GT(one.size(), 30'000U);
-  for (const int threads : {1, 2, 3})
+  for (const int threads : {2, 3})
     EXPECT_EQ(by_id(after_steps<TypeParam>(threads, kernel::best_variant())), by_id(one)) << threads;
 }
 

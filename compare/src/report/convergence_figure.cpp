@@ -74,12 +74,25 @@ std::vector<LevelPoint> fitted_line(const ConvergenceStudy& study) {
   return {{study.sizes.front(), at_coarsest}, {study.sizes.back(), study.finding.fit.error_at(study.sizes.back())}};
 }
 
+/// A part of the axis of sizes: 0 at the finest level, 1 at the coarsest.
+struct Share {
+  double from = 0, to = 1;
+};
+
+/// The part that the i-th of n triangles takes: no two meet, and each has room for its order at the right.
+Share share_of_triangle(std::size_t i, std::size_t n) {
+  if (n == 1) return {.from = 0.5, .to = 0.8};
+  const double each = 1.0 / static_cast<double>(n);
+  const double from = (static_cast<double>(i) + 0.2) * each;
+  return {.from = from, .to = from + 0.5 * each};
+}
+
 /// A triangle of the expected slope below the fitted line: its legs are one unit along and `order` units up.
-std::string slope_triangle(const ConvergenceStudy& study) {
+std::string slope_triangle(const ConvergenceStudy& study, const Share& share) {
   const double order = *study.expected.order;
   const double span = std::log(study.sizes.front() / study.sizes.back());
-  const double left = study.sizes.back() * std::exp(0.5 * span);
-  const double right = study.sizes.back() * std::exp(0.8 * span);
+  const double left = study.sizes.back() * std::exp(share.from * span);
+  const double right = study.sizes.back() * std::exp(share.to * span);
   const double low = 0.45 * study.finding.fit.error_at(left);
   const double high = low * std::pow(right / left, order);
   const std::string line = "nohead front lw 1.1 lc rgb '#444444'";
@@ -93,14 +106,17 @@ std::string slope_triangle(const ConvergenceStudy& study) {
 
 /// One triangle for each order that is expected and observed.
 std::string slope_triangles(const ConvergencePlot& plot) {
-  std::string text;
-  std::vector<double> drawn;
+  std::vector<const ConvergenceStudy*> drawn;
   for (const ConvergenceStudy* study : plot.studies) {
     if (!study->expected.order || fitted_line(*study).empty()) continue;
-    if (std::find(drawn.begin(), drawn.end(), *study->expected.order) != drawn.end()) continue;
-    drawn.push_back(*study->expected.order);
-    text += slope_triangle(*study);
+    const bool known = std::any_of(drawn.begin(), drawn.end(), [&](const ConvergenceStudy* other) {
+      return *other->expected.order == *study->expected.order;
+    });
+    if (!known) drawn.push_back(study);
   }
+  std::string text;
+  for (std::size_t i = 0; i < drawn.size(); ++i)
+    text += slope_triangle(*drawn[i], share_of_triangle(i, drawn.size()));
   return text;
 }
 
@@ -186,21 +202,25 @@ std::vector<ConvergencePlot> convergence_plots(const Family& family, std::vector
 }
 
 std::string gnuplot_script(const ConvergencePlot& plot) {
-  std::string script = gnuplot_canvas(plot.studies.size(), wide_left_margin) + axes(plot) + slope_triangles(plot);
+  std::string script;
   std::vector<std::string> curves;
+  std::size_t key_rows = 0;
   for (std::size_t i = 0; i < plot.studies.size(); ++i) {
     const ConvergenceStudy& study = *plot.studies[i];
     const CurveStyle style = style_of_study(plot, i);
     const std::vector<LevelPoint> line = fitted_line(study);
+    const KeyText key = key_text(label_of(study));
+    key_rows += key.rows;
     script += data_block(fmt::format("levels{}", i), drawable(study));
-    curves.push_back(fmt::format("$levels{} using 1:2 with {} pt {} ps {} lw 1 dt 3 lc rgb '{}' title {}", i,
+    curves.push_back(fmt::format("$levels{} using 1:2 with {} pt {} ps {} lw 1 dt 3 lc rgb '{}' {}", i,
                                  line.empty() ? "linespoints" : "points", style.point_type, style.point_size,
-                                 style.colour, gnuplot_text(label_of(study))));
+                                 style.colour, key.title));
     if (line.empty()) continue;
     script += data_block(fmt::format("line{}", i), line);
     curves.push_back(fmt::format("$line{} using 1:2 with lines lw 1.2 lc rgb '{}' notitle", i, style.colour));
   }
-  return script + fmt::format("plot {}\n", fmt::join(curves, ", \\\n  "));
+  return gnuplot_canvas(key_rows, wide_left_margin) + axes(plot) + slope_triangles(plot) + script +
+         fmt::format("plot {}\n", fmt::join(curves, ", \\\n  "));
 }
 
 } // namespace settle::compare::report

@@ -113,6 +113,14 @@ PlotCurve drawn(const Curve& curve, const RunOutcome& run, const CampaignOutcome
   return result;
 }
 
+/// The first solver of a run with these kinematics, or nullptr.
+const SolverRun* first_that_solves(const RunOutcome& run, Kinematics kinematics) {
+  const auto found = std::find_if(run.solvers.begin(), run.solvers.end(), [&](const SolverRun& solver) {
+    return kinematics_solved(run, solver.solver) == kinematics;
+  });
+  return found != run.solvers.end() ? &*found : nullptr;
+}
+
 /// The levels between layers, if all runs of the plot agree on them and they are few enough to be read.
 std::vector<double> common_interfaces(const Plot& plot, const CampaignOutcome& outcome) {
   std::set<int> numbers;
@@ -149,7 +157,7 @@ Plot plot_of(const Figure& figure, const CampaignOutcome& outcome) {
     return run != nullptr && is_body(run->study);
   });
   if (of_a_body) return line_plot_of(figure, outcome);
-  Plot plot{"fig-" + slug(figure.name), figure.title, figure.quantity, 0.0, {}, {}, {}, {}};
+  Plot plot{"fig-" + slug(figure.name), figure.title, figure.quantity, 0.0, {}, {}, {}, {}, {}};
   for (const Curve& curve : figure.curves) {
     if (const RunOutcome* run = outcome.find(curve.run)) plot.top = std::max(plot.top, run->study.geometry.height);
   }
@@ -185,12 +193,13 @@ Plot plot_of(const RunOutcome& run, Quantity quantity, const CampaignOutcome& ou
   }
   for (const auto& [name, table] : run.references)
     add(name, table.title.empty() ? name : table.title);
-  add("exact", "exact, finite strain (what MPM solves)");
-  for (const SolverRun& solver : run.solvers) { // all small-strain solutions are the same
-    if (!solver.result || solver.result->used.kinematics != Kinematics::small) continue;
-    add("exact-" + solver.solver, fmt::format("exact, small strain (what {} solves)", title_of(solver)));
-    break;
-  }
+  // All solutions of a model are the same: one curve for the first of those who solve it. Tables are of finite strain.
+  const SolverRun* finite = first_that_solves(run, Kinematics::finite);
+  const SolverRun* small = first_that_solves(run, Kinematics::small);
+  if (finite != nullptr) add("exact", fmt::format("exact, finite strain (what {} solves)", title_of(*finite)));
+  if (finite == nullptr && !run.references.empty()) add("exact", "exact, finite strain");
+  if (small != nullptr)
+    add("exact-" + small->solver, fmt::format("exact, small strain (what {} solves)", title_of(*small)));
   return plot_of(figure, outcome);
 }
 

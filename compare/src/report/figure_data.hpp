@@ -28,7 +28,8 @@ struct Plot {
   std::vector<double> interfaces; ///< between layers, where all runs have the same [m]
   std::vector<PlotCurve> curves;
   std::vector<StageLabel> stage_labels;
-  std::vector<std::string> missing;                               ///< a sentence for each curve that could not be drawn
+  std::vector<std::string> missing; ///< a sentence for each curve that could not be drawn
+  std::string line;                 ///< of probes along which a body is drawn; empty: over the height of a column
   std::string height_title = "Height in the design geometry [m]"; ///< of the axis that `ProfilePoint::height` is along
 };
 

@@ -1,3 +1,7 @@
+#include <algorithm>
+#include <sstream>
+#include <vector>
+
 #include <fmt/format.h>
 
 #include "format.hpp"
@@ -16,6 +20,30 @@ constexpr int axis_space = 74; // ticks and title below the plot
 constexpr int legend_row = 22;
 constexpr int font_size = 15;
 
+constexpr std::size_t longest_row = 54; // letters: 540 pixels less the sample of the curve, 8 pixels each
+
+/// Letters, not bytes.
+std::size_t letters_in(const std::string& text) {
+  return static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xc0U) != 0x80U; }));
+}
+
+/// Broken at blanks; a word that is too long stays whole.
+std::vector<std::string> rows_of(const std::string& text) {
+  std::vector<std::string> rows{""};
+  std::istringstream words(text);
+  for (std::string word; words >> word;) {
+    std::string& row = rows.back();
+    if (row.empty())
+      row = word;
+    else if (letters_in(row) + 1 + letters_in(word) <= longest_row)
+      row += " " + word;
+    else
+      rows.push_back(word);
+  }
+  return rows;
+}
+
 } // namespace
 
 std::string gnuplot_text(const std::string& text) {
@@ -25,6 +53,14 @@ std::string gnuplot_text(const std::string& text) {
     result += c == '\n' ? ' ' : c;
   }
   return result + "'";
+}
+
+KeyText key_text(const std::string& label) {
+  const std::vector<std::string> rows = rows_of(printable(label));
+  KeyText text{.title = "title " + gnuplot_text(rows.front()), .rows = rows.size()};
+  for (std::size_t i = 1; i < rows.size(); ++i)
+    text.title += ", keyentry title " + gnuplot_text("   " + rows[i]);
+  return text;
 }
 
 std::string gnuplot_canvas(std::size_t legend_rows, int left_margin) {

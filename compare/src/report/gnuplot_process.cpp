@@ -1,5 +1,4 @@
 #include <atomic>
-#include <cstdlib>
 #include <filesystem>
 
 #include <fmt/format.h>
@@ -8,6 +7,7 @@
 #include "settle/compare/process.hpp"
 #include "settle/compare/text_file.hpp"
 #include "settle/exchange/errors.hpp"
+#include "temporary_folder.hpp"
 
 namespace settle::compare::report {
 
@@ -15,32 +15,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using exchange::FileError;
-
-/// A folder of its own that is gone afterwards.
-class ScratchFolder {
-public:
-  ScratchFolder() {
-    std::string name = (fs::temp_directory_path() / "settle-figure-XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) {
-      throw FileError({.where = fs::temp_directory_path().string(),
-                       .what = "cannot create a folder for a figure's data",
-                       .given = "",
-                       .allowed = "",
-                       .remedy = "set TMPDIR to a folder that can be written"});
-    }
-    path_ = name;
-  }
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-  ~ScratchFolder() {
-    std::error_code ignored; // nothing is lost with a temporary folder that stays
-    fs::remove_all(path_, ignored);
-  }
-  [[nodiscard]] fs::path file(const char* name) const { return path_ / name; }
-
-private:
-  fs::path path_;
-};
 
 fs::path gnuplot_program() {
   const fs::path program = find_in_path("gnuplot");
@@ -54,7 +28,7 @@ fs::path gnuplot_program() {
 
 FileError failure(const ProcessOutcome& ended, const fs::path& log) {
   return FileError({.where = "gnuplot",
-                    .what = fmt::format("drawing a figure failed with code {}{}", ended.code, ended.problem),
+                    .what = fmt::format("drawing the figures failed with code {}{}", ended.code, ended.problem),
                     .given = tail_of(log, 10),
                     .allowed = "",
                     .remedy = "check the installation with `gnuplot --version` (5.4 or later is needed)"});
@@ -62,19 +36,25 @@ FileError failure(const ProcessOutcome& ended, const fs::path& log) {
 
 } // namespace
 
-std::string run_gnuplot(const std::string& script) {
-  constexpr double time_limit = 60.0; // a figure takes about 0.05 s
+std::vector<std::string> run_gnuplot(const std::vector<std::string>& scripts) {
+  constexpr double time_limit = 60.0; // of a figure, which takes about 0.01 s
   const fs::path program = gnuplot_program();
-  const ScratchFolder folder;
-  const fs::path picture = folder.file("figure.svg");
-  write_text(folder.file("figure.gp"), fmt::format("set output '{}'\n", picture.string()) + script);
+  const TemporaryFolder folder;
+  const auto picture = [&](std::size_t i) { return folder.file(fmt::format("{}.svg", i)); };
+  std::string script;
+  for (std::size_t i = 0; i < scripts.size(); ++i)
+    script += fmt::format("reset\nset output '{}'\n{}set output\n", picture(i).string(), scripts[i]);
+  write_text(folder.file("figures.gp"), script);
   const ProcessRequest request{.program = program,
-                               .arguments = {"-d", folder.file("figure.gp").string()},
+                               .arguments = {"-d", folder.file("figures.gp").string()},
                                .log = folder.file("messages"),
-                               .time_limit = time_limit};
+                               .time_limit = time_limit * static_cast<double>(scripts.size())};
   const ProcessOutcome ended = run_process(request, std::atomic<bool>{false});
   if (ended.end != ProcessEnd::exited || ended.code != 0) throw failure(ended, request.log);
-  return read_text(picture);
+  std::vector<std::string> pictures;
+  for (std::size_t i = 0; i < scripts.size(); ++i)
+    pictures.push_back(read_text(picture(i)));
+  return pictures;
 }
 
 } // namespace settle::compare::report

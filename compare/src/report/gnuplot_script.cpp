@@ -31,8 +31,8 @@ std::string plot_command(const Plot& plot) {
   const std::vector<CurveStyle> styles = styles_of(plot);
   std::string command = "plot ";
   for (std::size_t i = 0; i < plot.curves.size(); ++i) {
-    command += fmt::format("{}$curve{} using 1:2 {} title {}", i == 0 ? "" : ", \\\n  ", i, drawing(styles[i]),
-                           gnuplot_text(plot.curves[i].label));
+    command += fmt::format("{}$curve{} using 1:2 {} {}", i == 0 ? "" : ", \\\n  ", i, drawing(styles[i]),
+                           key_text(plot.curves[i].label).title);
   }
   return command + "\n";
 }
@@ -74,8 +74,10 @@ std::string stage_labels(const Plot& plot) {
 } // namespace
 
 std::string gnuplot_script(const Plot& plot) {
-  std::string script =
-      gnuplot_canvas(plot.curves.size(), left_margin) + axes(plot) + layer_lines(plot) + stage_labels(plot);
+  std::size_t key_rows = 0;
+  for (const PlotCurve& curve : plot.curves)
+    key_rows += key_text(curve.label).rows;
+  std::string script = gnuplot_canvas(key_rows, left_margin) + axes(plot) + layer_lines(plot) + stage_labels(plot);
   for (std::size_t i = 0; i < plot.curves.size(); ++i)
     script += data_block(plot.curves[i], i);
   return script + plot_command(plot);

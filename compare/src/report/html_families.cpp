@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "case_entries.hpp"
 #include "convergence_figure.hpp"
 #include "format.hpp"
 #include "html_parts.hpp"
@@ -64,7 +65,7 @@ std::string figures(const CampaignOutcome& outcome, const Family& family) {
          figure_html(Drawing{.id = id + "-missing", .title = "", .caption = "", .script = "", .missing = missing});
 }
 
-std::string family_html(const CampaignOutcome& outcome, const Family& family) {
+std::string family_html(const CampaignOutcome& outcome, const Family& family, const Facets& facets) {
   const Status status = worst(family.verdicts);
   const RunOutcome& first = *outcome.find(family.runs.front());
   data section;
@@ -78,15 +79,16 @@ std::string family_html(const CampaignOutcome& outcome, const Family& family) {
   section.set("note", text_or_nothing(first.note));
   section.set("figures", figures(outcome, family));
   section.set("studies", studies(outcome, family));
+  section.set("verdicts", html_of(verdict_table(family.verdicts, facets)));
   return render(templates::family, section);
 }
 
 } // namespace
 
-std::string families_html(const CampaignOutcome& outcome) {
+std::string families_html(const CampaignOutcome& outcome, const Facets& facets) {
   std::string html;
   for (const Family& family : outcome.families)
-    html += family_html(outcome, family);
+    html += family_html(outcome, family, facets);
   return html;
 }
 

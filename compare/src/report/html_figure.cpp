@@ -1,3 +1,4 @@
+#include "drawing.hpp"
 #include "figure_data.hpp"
 #include "gnuplot.hpp"
 #include "html_parts.hpp"
@@ -10,8 +11,8 @@ std::string figure_html(const Drawing& drawing) {
   figure.set("id", drawing.id);
   figure.set("title", text_or_nothing(drawing.title));
   figure.set("caption", text_or_nothing(drawing.caption));
-  figure.set("svg", drawing.script.empty() ? data(false)
-                                           : data(inline_svg(run_gnuplot(drawing.script), drawing.id, drawing.title)));
+  figure.set("svg",
+             drawing.script.empty() ? data(false) : data(to_be_drawn(drawing.id, drawing.title, drawing.script)));
   data missing(data::type::list);
   for (const std::string& sentence : drawing.missing)
     missing.push_back(data("sentence", sentence));

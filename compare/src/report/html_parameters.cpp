@@ -1,3 +1,5 @@
+#include <set>
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -49,38 +51,66 @@ const document::List* entries_of(const document::Value& value) {
   return list != nullptr && !list->empty() && is_large(list->front()) ? list : nullptr;
 }
 
-void append_rows(const RunOutcome& run, const document::Table& table, const json& schema, const std::string& path,
-                 Table& rows) {
+/// A key of a case as it was run.
+struct Parameter {
+  std::string key, value, meaning;
+};
+
+/// "Pa" of "Young's modulus [Pa]"; of several the last, empty where there is none.
+std::string unit_in(const std::string& meaning) {
+  const std::size_t open = meaning.rfind('[');
+  const std::size_t close = meaning.find(']', open);
+  const bool is_unit = open != std::string::npos && close != std::string::npos && meaning[open - 1] == ' ';
+  return is_unit ? meaning.substr(open + 1, close - open - 1) : "";
+}
+
+void append(const RunOutcome& run, const document::Table& table, const json& schema, const std::string& path,
+            std::vector<Parameter>& list) {
   for (const document::Entry& entry : table) {
     const std::string key = path.empty() ? entry.key : path + "." + entry.key;
     if (is_left_out(run, key)) continue;
     const json facts = schema_of(schema, entry.key);
     if (const auto* inner = std::get_if<document::Table>(&entry.value.data)) {
-      append_rows(run, *inner, facts, key, rows);
+      append(run, *inner, facts, key, list);
       continue;
     }
     const std::string meaning = meaning_of(facts);
     const document::List* entries = entries_of(entry.value);
     if (entries == nullptr) {
-      rows.rows.push_back({{.text = key}, {.text = document::to_inline_toml(entry.value)}, {.text = meaning}});
+      list.push_back({key, document::to_inline_toml(entry.value), meaning});
       continue;
     }
-    for (std::size_t i = 0; i < entries->size(); ++i) {
-      rows.rows.push_back({{.text = fmt::format("{}.{}", key, i)},
-                           {.text = document::to_inline_toml((*entries)[i])},
-                           {.text = i == 0 ? meaning : ""}});
-    }
+    for (std::size_t i = 0; i < entries->size(); ++i)
+      list.push_back({fmt::format("{}.{}", key, i), document::to_inline_toml((*entries)[i]), i == 0 ? meaning : ""});
   }
+}
+
+std::vector<Parameter> parameters_of(const RunOutcome& run) {
+  static const json schema = json::parse(exchange::case_schema());
+  std::vector<Parameter> list;
+  append(run, document::parse(exchange::to_toml(run.study), run.study.file), schema, "", list);
+  return list;
 }
 
 } // namespace
 
 Table parameter_table(const RunOutcome& run) {
-  Table rows{
-      "Parameters, defaults filled in", {{"Key", "", false}, {"Value", "", false}, {"Meaning [unit]", "", false}}, {}};
-  append_rows(run, document::parse(exchange::to_toml(run.study), run.study.file), json::parse(exchange::case_schema()),
-              "", rows);
-  return rows;
+  Table table{"Parameters, defaults filled in", {{"Key", "", false}, {"Value", "", false}, {"Unit", "", false}}, {}};
+  for (const Parameter& parameter : parameters_of(run))
+    table.rows.push_back({{.text = parameter.key}, {.text = parameter.value}, {.text = unit_in(parameter.meaning)}});
+  return table;
+}
+
+Table glossary_table(const CampaignOutcome& outcome) {
+  Table table{"Keys of the cases of this page", {{"Key", "", false}, {"Meaning [unit]", "", false}}, {}};
+  std::set<std::string> known;
+  for (const RunOutcome& run : outcome.runs) {
+    for (const Parameter& parameter : parameters_of(run)) {
+      if (!parameter.meaning.empty() && known.insert(parameter.key).second)
+        table.rows.push_back({{.text = parameter.key}, {.text = parameter.meaning}});
+    }
+  }
+  return table;
 }
 
 } // namespace settle::compare::report

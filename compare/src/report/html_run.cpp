@@ -1,11 +1,14 @@
 #include <fmt/format.h>
 
+#include "case_entries.hpp"
+#include "difference_chart.hpp"
 #include "figure_data.hpp"
 #include "format.hpp"
 #include "html_parts.hpp"
 #include "line_figure.hpp"
 #include "reported_verdicts.hpp"
 #include "settle/compare/statistics.hpp"
+#include "settle/exchange/case_io.hpp"
 #include "templates.hpp"
 
 namespace settle::compare::report {
@@ -21,11 +24,18 @@ data paragraphs(const std::vector<std::string>& texts) {
   return texts.empty() ? data(false) : list;
 }
 
+/// Beside the figure they are the differences of.
+std::string differences(Chart chart, const std::string& figure) {
+  chart.id = figure + "-differences";
+  return chart_html(std::move(chart));
+}
+
 std::string line_figures(const CampaignOutcome& outcome, const RunOutcome& run) {
   std::string html;
   for (Plot& plot : line_plots_of(run, outcome)) {
     plot.id = fmt::format("{}-{}", anchor_of(outcome, run), plot.id);
     html += figure_html(plot, "");
+    html += differences(difference_chart(run, plot.line, plot.quantity), plot.id);
   }
   return html;
 }
@@ -37,6 +47,7 @@ std::string figures(const CampaignOutcome& outcome, const RunOutcome& run) {
     Plot plot = plot_of(run, quantity, outcome);
     plot.id = fmt::format("{}-{}", anchor_of(outcome, run), name_of(quantity));
     html += figure_html(plot, "");
+    html += differences(difference_chart(run, quantity), plot.id);
   }
   return html;
 }
@@ -82,16 +93,18 @@ data commands(const RunOutcome& run) {
   return list;
 }
 
+/// The case in the words of a solver's result, where they say something else than the parameters do.
 data case_text(const RunOutcome& run) {
+  const std::string parameters = exchange::to_toml(run.study);
   for (const SolverRun& solver : run.solvers) {
-    if (solver.result) return text_or_nothing(solver.result->case_text);
+    if (solver.result && solver.result->case_text != parameters) return text_or_nothing(solver.result->case_text);
   }
   return data(false);
 }
 
 } // namespace
 
-std::string run_html(const CampaignOutcome& outcome, const RunOutcome& run) {
+std::string run_html(const CampaignOutcome& outcome, const RunOutcome& run, const Facets& facets, bool open) {
   const std::vector<Verdict> verdicts = reported_verdicts(run);
   const Status status = worst(verdicts);
   const std::vector<std::string> restless = out_of_equilibrium(run);
@@ -101,17 +114,21 @@ std::string run_html(const CampaignOutcome& outcome, const RunOutcome& run) {
   section.set("status", std::string(name_of(status)));
   section.set("status_text", status_text(status));
   section.set("counts", count_text(count(verdicts)));
-  section.set("open", status != Status::passed);
+  section.set("open", open);
   section.set("title", text_or_nothing(run.study.title));
   section.set("source", text_or_nothing(run.study.source));
   section.set("note", text_or_nothing(run.note));
   section.set("out_of_equilibrium", !restless.empty());
   section.set("restless", paragraphs(restless));
   section.set("overrides", paragraphs(run.overrides));
+  section.set("verdicts", html_of(verdict_table(verdicts, facets)));
   section.set("solvers", html_of(solver_table(run)));
   section.set("tails", tails(run));
   section.set("key_figures", html_of(key_figure_table(run)));
   section.set("figures", figures(outcome, run));
+  section.set("exact", formulas_html(outcome, run));
+  section.set("history", history_html(outcome, run));
+  section.set("fields", fields_html(outcome, run));
   section.set("splits", run.splits.empty() ? data(false) : data(splits(run)));
   section.set("unaudited", paragraphs(unaudited_reactions(run)));
   section.set("balances", balances(run));

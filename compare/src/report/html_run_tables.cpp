@@ -65,6 +65,11 @@ std::vector<Cell> balance_row(const RunOutcome& run, const SolverRun& solver, co
           stage.in_equilibrium ? Cell{.text = "yes"} : Cell{.text = "no", .badge = "unheld"}};
 }
 
+/// Of a process, or a sign that it was not measured [B].
+std::string memory_text(double bytes) {
+  return bytes > 0.0 ? number(1e-6 * bytes, 3) + " MB" : std::string(no_value);
+}
+
 } // namespace
 
 Table solver_table(const RunOutcome& run) {
@@ -73,6 +78,8 @@ Table solver_table(const RunOutcome& run) {
                {"Status", "", false},
                {"Steps", "", true},
                {"Wall time", "", true},
+               {"CPU time", "", true},
+               {"Peak memory", "", true},
                {"What happened", "", false}},
               {}};
   for (const SolverRun& solver : run.solvers) {
@@ -87,6 +94,8 @@ Table solver_table(const RunOutcome& run) {
                            .badge = finished ? "passed" : "error"},
                           {.text = solver.result ? std::to_string(steps) : std::string(no_value)},
                           {.text = duration(solver.wall_time)},
+                          {.text = duration(solver.cpu_time)},
+                          {.text = memory_text(solver.peak_memory)},
                           {.text = solver.message}});
   }
   return table;

@@ -34,6 +34,11 @@ struct Table {
   std::vector<Column> columns;
   std::vector<std::vector<Cell>> rows; ///< the first cell of a row is its heading
   bool stacks = false;                 ///< on a narrow screen a row becomes a block of lines instead of scrolling
+  std::string id = "";                 ///< of the table; none if empty
+  std::string kind = "";               ///< class of its own for the style sheet
+  bool sorts = false;                  ///< the script may sort its rows by a column
+  bool labels_cells = true;            ///< stacked cells say their column; else the style sheet says it for this kind
+  std::vector<std::string> marks = {}; ///< attributes of each row, for the script; none if empty
 };
 
 /// The data of template `table`.

@@ -9,6 +9,7 @@
 #include "format.hpp"
 #include "gnuplot.hpp"
 #include "settle/exchange/errors.hpp"
+#include "svg_shapes.hpp"
 
 namespace settle::compare::report {
 
@@ -133,6 +134,7 @@ std::string inline_svg(const std::string& svg, const std::string& prefix, const 
                                .allowed = "",
                                .remedy = "check the installation with `gnuplot --version` (5.4 or later is needed)"});
   }
+  if (const auto written = short_svg(root, printable(title))) return *written;
   remove_children(root, "title");
   remove_children(root, "desc");
   for_each_element(root, [](xml_node element) { remove_children(element, "title"); });

@@ -86,7 +86,7 @@ Profile profile_at(const Curve& curve, const RunOutcome& run, const std::string&
   const exchange::Stage& state = result.stages[static_cast<std::size_t>(stage - 1)];
   const auto found = state.probes.find(line);
   if (found == state.probes.end()) return {};
-  return profile_of(line_samples(found->second, result.used.dimension, quantity), probes, quantity, length_of(probes));
+  return line_profile(line_samples(found->second, result.used.dimension, quantity), probes, quantity);
 }
 
 PlotCurve drawn(const Curve& curve, const RunOutcome& run, const std::string& line, Quantity quantity) {
@@ -105,6 +105,7 @@ Plot line_plot(const Figure& figure, const std::string& line, const CampaignOutc
   plot.id = "fig-" + slug(figure.name);
   plot.title = figure.title;
   plot.quantity = figure.quantity;
+  plot.line = line;
   plot.height_title = fmt::format("Distance along probes.{} [m]", line);
   for (const Curve& curve : figure.curves) {
     const RunOutcome* run = outcome.find(curve.run);
@@ -139,6 +140,10 @@ Figure figure_of(const RunOutcome& run, const std::string& line, Quantity quanti
 
 bool is_body(const Case& study) {
   return study.geometry.shape == exchange::Shape::polygons;
+}
+
+Profile line_profile(const FieldSamples& samples, const exchange::Probes& line, Quantity quantity) {
+  return profile_of(samples, line, quantity, length_of(line));
 }
 
 Plot line_plot_of(const Figure& figure, const CampaignOutcome& outcome) {

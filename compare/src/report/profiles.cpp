@@ -9,27 +9,6 @@ namespace {
 using exchange::Case;
 using exchange::Quantity;
 
-/// Samples at design heights: one segment a layer, samples at one height averaged, values in the unit of the axis.
-Profile profile_of(const FieldSamples& samples, const Case& study, Quantity quantity) {
-  const double factor = axis_of(quantity).factor;
-  const FieldSamples rows = averaged_by_height(samples, 1e-9 * study.geometry.height);
-  Profile profile;
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    if (i == 0 || rows.layer[i] != rows.layer[i - 1]) profile.emplace_back();
-    profile.back().push_back({factor * rows.value[i], rows.height[i]});
-  }
-  return profile;
-}
-
-/// Turns the heights at which material points were placed into their heights in the design geometry.
-void use_design_heights(FieldSamples& samples, const Case& study, exchange::Kinematics kinematics) {
-  const ExactColumn exact(study, kinematics);
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    const double xi = exact.relative_height(samples.layer[i], samples.height[i]);
-    samples.height[i] = (samples.layer[i] - 1 + xi) * study.layer_thickness();
-  }
-}
-
 /// The density of the points that were not refilled, in their order.
 std::vector<double> densities(const exchange::SamplePoints& points) {
   std::vector<double> values;
@@ -52,6 +31,25 @@ void thin(Segment& segment, std::size_t limit) {
 }
 
 } // namespace
+
+void use_design_heights(FieldSamples& samples, const Case& study, exchange::Kinematics kinematics) {
+  const ExactColumn exact(study, kinematics);
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const double xi = exact.relative_height(samples.layer[i], samples.height[i]);
+    samples.height[i] = (samples.layer[i] - 1 + xi) * study.layer_thickness();
+  }
+}
+
+Profile column_profile(const FieldSamples& samples, const Case& study, Quantity quantity) {
+  const double factor = axis_of(quantity).factor;
+  const FieldSamples rows = averaged_by_height(samples, 1e-9 * study.geometry.height);
+  Profile profile;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (i == 0 || rows.layer[i] != rows.layer[i - 1]) profile.emplace_back();
+    profile.back().push_back({factor * rows.value[i], rows.height[i]});
+  }
+  return profile;
+}
 
 Axis axis_of(Quantity quantity) {
   switch (quantity) {
@@ -87,12 +85,12 @@ Profile native_profile(const Case& study, const exchange::Result& result, Quanti
   FieldSamples samples = point_samples(state, result.used.dimension, quantity);
   if (quantity == Quantity::density) samples.value = densities(state.points);
   use_design_heights(samples, study, result.used.kinematics);
-  return profile_of(samples, study, quantity);
+  return column_profile(samples, study, quantity);
 }
 
 Profile probe_profile(const Case& study, const exchange::Result& result, Quantity quantity, int stage) {
   if (!is_field(quantity)) return {};
-  return profile_of(probe_samples(stage_of(result, stage), result.used.dimension, quantity), study, quantity);
+  return column_profile(probe_samples(stage_of(result, stage), result.used.dimension, quantity), study, quantity);
 }
 
 Profile exact_profile(const Case& study, exchange::Kinematics kinematics, Quantity quantity, int stage) {
@@ -124,7 +122,7 @@ Profile equation_1_profile(const Case& study, double density) {
 Profile reference_profile(const Case& study, const ReferenceTable& table, Quantity quantity, int stage) {
   FieldSamples samples = table_samples(table, stage, quantity);
   use_design_heights(samples, study, exchange::Kinematics::finite);
-  return profile_of(samples, study, quantity);
+  return column_profile(samples, study, quantity);
 }
 
 void thin(Profile& profile, std::size_t limit) {

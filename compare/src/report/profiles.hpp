@@ -28,6 +28,13 @@ struct Axis {
 };
 Axis axis_of(exchange::Quantity quantity);
 
+/// Turns the heights at which material points of a column were placed into their heights in the design geometry.
+/// Throws InputError where there is no exact column.
+void use_design_heights(FieldSamples& samples, const exchange::Case& study, exchange::Kinematics kinematics);
+
+/// Samples of a column at heights in its design geometry: a segment a layer, samples at one height averaged.
+Profile column_profile(const FieldSamples& samples, const exchange::Case& study, exchange::Quantity quantity);
+
 /// Can this quantity be drawn over the height?
 bool has_profile(exchange::Quantity quantity);
 

@@ -38,9 +38,6 @@ std::vector<Verdict> reported_verdicts(const RunOutcome& run) {
 
 namespace report {
 
-namespace {
-
-/// Failing statuses first; within them the ones that need a look soonest.
 int rank(Status status) {
   switch (status) {
   case Status::error:
@@ -54,8 +51,6 @@ int rank(Status status) {
   }
   return 0;
 }
-
-} // namespace
 
 std::vector<Verdict> all_verdicts(const CampaignOutcome& outcome) {
   std::vector<Verdict> all;
@@ -109,6 +104,11 @@ double margin(const Verdict& verdict) {
   double left = verdict.limit - verdict.value;
   if (verdict.at_least > 0.0) left = std::min(left, verdict.value - verdict.at_least);
   return left / verdict.limit;
+}
+
+std::string margin_text(double left) {
+  if (!std::isfinite(left)) return "";
+  return left < -10.0 ? "far outside" : percent(left);
 }
 
 } // namespace report

@@ -9,6 +9,8 @@
 
 namespace settle::compare::report {
 
+/// Failing statuses first; within them the ones that need a look soonest.
+int rank(Status status);
 /// The verdicts of all refinement families, then of all runs, in their order.
 std::vector<Verdict> all_verdicts(const CampaignOutcome& outcome);
 /// The same with what did not pass first: error, missing, failed, passed; the order within one status is kept.
@@ -25,5 +27,8 @@ std::string accepted_band(const Verdict& verdict);
 /// How much of the accepted band is left on the nearer side, relative to its upper end; negative outside; NaN where
 /// there is none.
 double margin(const Verdict& verdict);
+
+/// A margin in whole percent; "far outside" below −1000 %; nothing where there is none.
+std::string margin_text(double left);
 
 } // namespace settle::compare::report

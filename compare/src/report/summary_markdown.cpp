@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "case_entries.hpp"
 #include "format.hpp"
 #include "html_parts.hpp"
 #include "reported_verdicts.hpp"
@@ -90,6 +91,27 @@ std::string key_figures(const CampaignOutcome& outcome) {
   return text;
 }
 
+/// A line a case, a column a leg: the sign of the worst verdict, and how many passed of all.
+std::string matrix(const CampaignOutcome& outcome) {
+  const std::vector<CaseEntry> cases = case_entries(outcome);
+  const Facets facets = facets_of(cases);
+  std::string text =
+      "## Cases and legs\n\nHow many verdicts passed of all, with the sign of the worst.\n\n| case | verdict |";
+  std::string rule = "\n|---|---|";
+  for (const std::string& leg : facets.legs) {
+    text += fmt::format(" {} |", cell(Facets::title_of_leg(leg)));
+    rule += "---|";
+  }
+  text += rule + "\n";
+  for (const CaseEntry& entry : cases) {
+    text += fmt::format("| {} | {} |", cell(entry.name), status_text(entry.status));
+    for (const std::string& leg : facets.legs)
+      text += fmt::format(" {} |", matrix_cell(entry, leg).text);
+    text += "\n";
+  }
+  return text + "\n";
+}
+
 std::string convergence(const CampaignOutcome& outcome) {
   std::string text;
   for (const Family& family : outcome.families) {
@@ -115,7 +137,7 @@ std::string summary_markdown(const CampaignOutcome& outcome) {
                   count_text(count(verdicts)), outcome.runs.size(), duration(outcome.wall_time));
   const std::string tail = fmt::format("\nsettle {} ({}), {}. Again: `{}`\n", outcome.program_version, outcome.commit,
                                        outcome.created, printable(outcome.command));
-  return head + problems(verdicts) + convergence(outcome) + key_figures(outcome) + tail;
+  return head + problems(verdicts) + matrix(outcome) + convergence(outcome) + key_figures(outcome) + tail;
 }
 
 } // namespace settle::compare

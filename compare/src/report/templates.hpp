@@ -6,9 +6,12 @@ namespace settle::compare::report::templates {
 
 extern const char* const page;
 extern const char* const style;
+extern const char* const script;
 extern const char* const table;
-extern const char* const verdicts;
 extern const char* const figure;
+extern const char* const chart;
+extern const char* const fields;
+extern const char* const formulas;
 extern const char* const run;
 extern const char* const published;
 extern const char* const family;

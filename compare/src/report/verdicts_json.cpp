@@ -1,6 +1,7 @@
 #include <nlohmann/json.hpp>
 
 #include "format.hpp"
+#include "key_figures.hpp"
 #include "reported_verdicts.hpp"
 
 namespace settle::compare {
@@ -20,7 +21,20 @@ ordered_json to_json(const Verdict& verdict) {
           {"scale", verdict.scale},
           {"why", verdict.why},
           {"where", verdict.where},
-          {"message", report::printable(verdict.message)}};
+          {"message", report::printable(verdict.message)},
+          {"quantity", verdict.quantity},
+          {"leg", verdict.leg},
+          {"margin", report::margin(verdict)}};
+}
+
+ordered_json to_json(const report::KeyFigure& figure) {
+  return {{"run", figure.run},
+          {"source", figure.source},
+          {"figure", exchange::name_of(figure.statistic)},
+          {"unit", report::si_unit(figure.statistic)},
+          {"value", figure.value},
+          {"exact", figure.exact},
+          {"relative_difference", report::relative_difference(figure)}};
 }
 
 } // namespace
@@ -33,6 +47,9 @@ std::string verdicts_json(const CampaignOutcome& outcome) {
   ordered_json list = ordered_json::array();
   for (const Verdict& verdict : verdicts)
     list.push_back(to_json(verdict));
+  ordered_json figures = ordered_json::array();
+  for (const report::KeyFigure& figure : report::key_figures_of(outcome))
+    figures.push_back(to_json(figure));
   const ordered_json document{{"format", "settle-verdicts"},
                               {"campaign", outcome.campaign.title},
                               {"program_version", outcome.program_version},
@@ -40,7 +57,8 @@ std::string verdicts_json(const CampaignOutcome& outcome) {
                               {"created", outcome.created},
                               {"status", name_of(worst(verdicts))},
                               {"counts", counts},
-                              {"verdicts", list}};
+                              {"verdicts", list},
+                              {"figures", figures}};
   return document.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
 

@@ -85,6 +85,7 @@ struct Step {
   double ramped_gravity; ///< of the layer under construction
   int ramped_layer;
   double damping, kick, dt; ///< dt: of positions and strains; kick: of velocities [s]
+  double kept;              ///< of velocities before they change [-]
 
   PointArrays points;
   const std::uint32_t* begin; ///< by cell

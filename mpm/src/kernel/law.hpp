@@ -80,12 +80,12 @@ SETTLE_INLINE void find_largest_stress(const Step& step, int index, const CellAr
 struct Motion {
   Lanes move[2], kick[2];
 };
-SETTLE_INLINE void shift(const PointArrays& points, std::size_t p, int count, const Motion& motion,
+SETTLE_INLINE void shift(const Step& step, const PointArrays& points, std::size_t p, int count, const Motion& motion,
                          Lanes new_position[2]) {
   for (int d = 0; d < 2; ++d) {
     new_position[d] = load(points.position[d] + p, count) + motion.move[d];
     store(points.position[d] + p, new_position[d], count);
-    store(points.velocity[d] + p, load(points.velocity[d] + p, count) + motion.kick[d], count);
+    store(points.velocity[d] + p, step.kept * load(points.velocity[d] + p, count) + motion.kick[d], count);
   }
 }
 

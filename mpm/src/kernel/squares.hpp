@@ -402,7 +402,7 @@ struct Squares {
       }
     }
     Lanes position[2];
-    shift(points, p, count, motion, position);
+    shift(step, points, p, count, motion, position);
     if (step.rate)
       deform(points, p, count, change_of(step, {gradient[0], gradient[1], gradient[2], gradient[3]}));
     else

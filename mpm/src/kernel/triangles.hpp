@@ -230,7 +230,7 @@ SETTLE_INLINE Mask move_points(const Step& step, const PointArrays& points, std:
   };
   const Motion motion{{interpolate(move_x), interpolate(move_y)}, {interpolate(kick_x), interpolate(kick_y)}};
   Lanes position[2];
-  shift(points, p, count, motion, position);
+  shift(step, points, p, count, motion, position);
   if (step.rate)
     deform(points, p, count,
            {of_cell(change), of_cell(change + 1), of_cell(change + 2), of_cell(change + 3), of_cell(change + 4)});

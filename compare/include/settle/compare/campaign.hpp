@@ -60,14 +60,21 @@ struct Published {
   std::string why; ///< the sentence that explains the difference
 };
 
+/// What the report shows besides what is judged.
+struct ReportOptions {
+  bool fields = true; ///< field pictures, of a refinement family those of its finest level
+};
+
 struct Campaign {
   int format = 1;
   std::string title;
   std::string description;
-  JoinedSolvers solvers; ///< besides mpm and fem; with those of the user's file once read from a file
+  std::vector<std::string> slurm_options; ///< given to sbatch with every job of `--executor slurm`
+  JoinedSolvers solvers;                  ///< besides mpm and fem; with those of the user's file once read from a file
   std::vector<RunEntry> runs;
   std::vector<Figure> figures;
   std::vector<Published> published;
+  ReportOptions report;
   std::filesystem::path file;
 };
 

@@ -37,6 +37,14 @@ Plan plan_campaign(std::vector<ExpandedRun> runs, const std::filesystem::path& f
 
 /// Reads the records again, for what has happened in the folder since.
 void look_again(Plan& plan, bool fresh);
+/// The same of one task.
+void look_again(Task& task);
+
+/// "RUN, SOLVER".
+std::string title_of(const Plan& plan, const Task& task);
+
+/// The task of a title. Throws InputError with the nearest one where there is none.
+Task& task_titled(Plan& plan, const std::string& title);
 
 /// Tasks in the order in which they are started: due ones first, the longest first by what they cost the last time, so
 /// that all cores finish together. One without a remembered cost may be the longest of all: it goes before those.

@@ -96,9 +96,10 @@ struct RunOutcome {
   std::string note{};
   std::string family{}; ///< of which refinement family the run is a level; empty: of none
   exchange::Case study{};
-  std::vector<std::string> overrides{};    ///< `key=value`
-  std::string case_file{};                 ///< as the user named it, even where `study` is a copy of it
-  std::vector<std::string> check_places{}; ///< of each check of the case: `file:line:column` in that file
+  std::vector<std::string> overrides{};          ///< `key=value`
+  std::string case_file{};                       ///< as the user named it, even where `study` is a copy of it
+  std::vector<std::string> check_places{};       ///< of each check of the case: `file:line:column` in that file
+  std::vector<std::string> expectation_places{}; ///< the same of each `[[converge.expect]]`
   std::vector<SolverRun> solvers{};
   std::map<std::string, ReferenceTable> references{};
   std::vector<DifferenceSplit> splits{};

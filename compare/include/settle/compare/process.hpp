@@ -48,6 +48,10 @@ struct CapturedOutput {
 CapturedOutput run_captured(const std::filesystem::path& program, const std::vector<std::string>& arguments,
                             double time_limit, const std::atomic<bool>& stop);
 
+/// The same with all it printed, however long that is.
+CapturedOutput run_captured_whole(const std::filesystem::path& program, const std::vector<std::string>& arguments,
+                                  double time_limit, const std::atomic<bool>& stop);
+
 /// A file in the folders of PATH; empty where there is none.
 std::filesystem::path find_in_path(const std::string& program);
 

@@ -10,7 +10,8 @@ namespace settle::compare {
 /// that are mapped and memory that is shared do not count. 0 for a process that is not there.
 double memory_of(pid_t process);
 
-/// Memory of the machine, or what the control group of this process may have where that is less [B].
+/// Memory of the machine, or what the control group of this process or its job in Slurm may have where that is less
+/// [B].
 double machine_memory();
 
 } // namespace settle::compare

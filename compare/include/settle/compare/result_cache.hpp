@@ -31,6 +31,17 @@ struct FileStamp {
   std::string hash;         ///< SHA-256
 };
 
+/// How an attempt has ended that left no result.
+struct FailedAttempt {
+  std::string status{}; ///< "crashed", ... as `SolverStatus` is called, or `submitted`
+  int exit_code = 0;
+  std::string message{};
+  std::string tail{}; ///< the last lines of the solver's output
+};
+
+/// The status of an attempt that a scheduler was asked for and that has not ended yet.
+constexpr std::string_view submitted = "submitted";
+
 /// The last attempt of a solver at a run.
 struct RunRecord {
   MadeFrom made_from{};
@@ -38,6 +49,7 @@ struct RunRecord {
   double cpu_time = 0;               ///< of it and its children [s]
   double peak_memory = 0;            ///< largest resident set [B]
   std::optional<FileStamp> result{}; ///< nothing where the attempt failed
+  std::optional<FailedAttempt> failure{};
 };
 
 /// Why a solver is run, or not.

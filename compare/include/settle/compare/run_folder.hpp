@@ -24,6 +24,9 @@ std::filesystem::path case_in(const std::filesystem::path& run_folder);
 /// FileError where it cannot be written.
 void prepare_run_folder(const std::filesystem::path& folder, const ExpandedRun& run);
 
+/// Does the folder of a run hold its case as it is?
+bool is_prepared(const std::filesystem::path& folder, const ExpandedRun& run);
+
 /// Is there next to no space (1 MiB) left on the disk of a folder, or where it would be?
 bool is_full(const std::filesystem::path& folder);
 

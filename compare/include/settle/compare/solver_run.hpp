@@ -24,6 +24,9 @@ struct SolverJob {
   double memory_limit = 0;   ///< of it and its children, together [B]
 };
 
+/// The words that name the case of mpm or fem, and override its keys.
+std::vector<std::string> case_arguments(const SolverJob& job);
+
 /// Where the output of a job's solver is kept.
 std::filesystem::path log_of(const std::filesystem::path& result_file);
 
@@ -36,10 +39,6 @@ void describe(const JoinedSolver& joined, SolverRun& run);
 /// Runs the solver, after an earlier result was removed; where the solver is not installed that stays. Never throws for
 /// what a solver does: a crash, a limit, a full disk, a missing or unreadable result are statuses.
 SolverRun run_solver(const SolverJob& job, const std::atomic<bool>& stop);
-
-/// Asks the solver whether it could run the case (`--check`), without running it. The solver's complaint where it says
-/// no (exit code 2); nothing where it says yes, is not installed, or does not answer: running it will show that.
-std::optional<std::string> complaint_of(const SolverJob& job, const std::atomic<bool>& stop);
 
 /// Takes a result that is there, without running anything: finished, no result, or bad result.
 SolverRun stored_result(const std::string& solver, const std::filesystem::path& result_file);

@@ -29,10 +29,12 @@ struct Verdict {
   double value = std::numeric_limits<double>::quiet_NaN(); ///< measured, relative to `scale`
   double at_least = 0;                                     ///< lower end of the accepted band
   double limit = 0;                                        ///< upper end of the accepted band
-  std::string scale{};   ///< what the value is relative to, with its unit, e.g. "l2 norm of the reference: 0.18 m"
-  std::string why{};     ///< the reason for the limit
-  std::string where{};   ///< `file:line:column` of the check in its case, or the case file; empty where not known
-  std::string message{}; ///< what happened, in a sentence, where the status is not "passed"
+  std::string scale{};    ///< what the value is relative to, with its unit, e.g. "l2 norm of the reference: 0.18 m"
+  std::string why{};      ///< the reason for the limit
+  std::string where{};    ///< `file:line:column` of the check or expectation in its case, or the case file
+  std::string message{};  ///< what happened, in a sentence, where the status is not "passed"
+  std::string quantity{}; ///< what is compared or conserved: "settlement", "mass"; empty for what concerns a whole run
+  std::string leg{};      ///< whose: "mpm - exact", or "mpm" where it is about one solver alone; empty for neither
 
   explicit operator bool() const = delete;
 };

@@ -22,6 +22,10 @@ enum class Basis { linear, gimp, b_spline };
 enum class Integration { mixed, points };
 enum class RefillRule { sub_element, element };
 enum class Scheme { quasi_static, explicit_dynamic };
+/// How the linear systems of the quasi-static scheme are solved.
+enum class LinearSolver { direct, iterative };
+/// How the explicit scheme comes to rest.
+enum class Relaxation { local, viscous };
 enum class FemElement { Q1, Q2 };
 enum class Kinematics { small, finite };
 enum class Quantity {
@@ -84,6 +88,14 @@ struct EnumNames<RefillRule> {
 template <>
 struct EnumNames<Scheme> {
   static constexpr std::array<std::string_view, 2> names{"quasi-static", "explicit"};
+};
+template <>
+struct EnumNames<LinearSolver> {
+  static constexpr std::array<std::string_view, 2> names{"direct", "iterative"};
+};
+template <>
+struct EnumNames<Relaxation> {
+  static constexpr std::array<std::string_view, 2> names{"local", "viscous"};
 };
 template <>
 struct EnumNames<FemElement> {
@@ -189,18 +201,21 @@ struct Construction {
 };
 
 struct QuasiStatic {
-  int increments = 20;    ///< of a layer's gravity, per stage
-  double residual = 1e-9; ///< relative out-of-balance force accepted per increment [-]
+  int increments = 20;                         ///< of a layer's gravity, per stage
+  double residual = 1e-9;                      ///< relative out-of-balance force accepted per increment [-]
+  std::optional<LinearSolver> linear_solver{}; ///< set by `read_case`: direct in 2-D, iterative in 3-D where left out
 };
 
 struct ExplicitDynamic {
-  double damping = 0.75;        ///< local damping factor alpha [-]
-  double courant = 0.9;         ///< fraction of the stable step [-]
-  double ramp_time = 10.0;      ///< of a layer's gravity, per stage [s]
-  std::optional<double> hold{}; ///< hold after the ramp [s]; nothing: until equilibrium
-  double force_error = 0.001;   ///< sum|F_unbalanced| / sum|F_external| [-]
-  double energy_error = 0.001;  ///< kinetic energy / work of external forces [-]
-  double max_hold_time = 600.0; ///< [s]
+  Relaxation relaxation = Relaxation::local;
+  double damping = 0.75;             ///< local damping factor alpha, or share of the critical viscous damping [-]
+  double courant = 0.9;              ///< fraction of the stable step [-]
+  std::optional<double> ramp_time{}; ///< of a layer's gravity, per stage [s]; set by `read_case`: 10 where left out
+                                     ///< with local damping; nothing: at once
+  std::optional<double> hold{};      ///< hold after the ramp [s]; nothing: until equilibrium
+  double force_error = 0.001;        ///< sum|F_unbalanced| / sum|F_external| [-]
+  double energy_error = 0.001;       ///< kinetic energy / work of external forces [-]
+  double max_hold_time = 600.0;      ///< [s]
 };
 
 /// What the material point method is told.

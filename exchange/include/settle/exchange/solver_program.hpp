@@ -1,6 +1,6 @@
 /// \file
 /// The command line that every solver of the suite has: NAME CASE --out RESULT.h5 [--set key=value] [--check]
-/// [--quiet] [--log-format text|json].
+/// [--quiet] [--log-format text|json]; or NAME --check --cases LIST.json.
 #pragma once
 
 #include <functional>

@@ -21,6 +21,10 @@ struct NodeState {
   Vector<dim> displacement = Vector<dim>::Zero(); ///< in the step, from the remapped momentum [m]; from `displace` on
 };
 
+/// Nodes by their index in the grid.
+template <int dim>
+using Nodes = std::vector<NodeState<dim>>;
+
 /// Sums over the step that tell how far the body is from rest.
 struct ForceSums {
   double unbalanced = 0;    ///< sum of |F_external - F_internal| over free components [N/m]
@@ -58,8 +62,8 @@ public:
   /// F_damping = -damping |F_unbalanced| sign(velocity) by component; zero where a support holds.
   ForceSums accelerate(double damping);
   /// Displacements of the nodes over `dt`, from the momentum that the points have with velocities that the nodes'
-  /// accelerations have changed over `kick` [s].
-  StepEnergy displace(double kick, double dt);
+  /// accelerations have changed over `kick` [s], after all but the share `kept` of them has been damped away.
+  StepEnergy displace(double kick, double dt, double kept = 1.0);
   /// Velocity, strain, volume, stress and position of every point; then, if the body asks for it, point stresses are
   /// replaced by their cell's average. Throws PointLost.
   void move();
@@ -67,6 +71,7 @@ public:
   void gather();
 
   [[nodiscard]] NodeState<dim> node(int node) const;
+  [[nodiscard]] Nodes<dim> nodes() const;
   /// Makes `move` follow a displacement that is given.
   void set_displacement(int node, const Vector<dim>& displacement);
 
