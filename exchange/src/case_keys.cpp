@@ -189,6 +189,11 @@ KeyTable<Fem> fem_keys() {
                {.range = at_least(1),
                 .left_out = "1 (small), 4 (finite)",
                 .doc = "steps in which a layer's gravity is applied, per stage"});
+  keys.choice("linear_solver", &Fem::linear_solver,
+              {.doc =
+                   "sparse factors, or a Krylov method with algebraic multigrid; `automatic`: factors in 2-D and for "
+                   "3000 degrees of freedom or fewer, else multigrid"});
+  keys.integer("threads", &Fem::threads, {.range = at_least(1), .doc = "threads of one run; a campaign runs several"});
   return keys;
 }
 

@@ -87,10 +87,9 @@ private:
     return energy;
   }
   StepEnergy relax(double dt) {
-    const auto [kept, kick] = viscous_.damp(dt);
     viscous_.know_forces(step_.nodes());
     sums_ = step_.accelerate(0.0);
-    const StepEnergy energy = step_.displace(kick, dt, kept);
+    const StepEnergy energy = step_.displace(viscous_.kick(dt), dt, viscous_.kept(dt));
     viscous_.know_displacements(step_.nodes());
     step_.move();
     return energy;

@@ -85,8 +85,10 @@ public:
         Vector<dim> acceleration = Vector<dim>::Zero(), momentum;
         for (int i = 0; i < stencil.size(); ++i)
           acceleration += stencil.value(i) * at(stencil.node(i)).acceleration;
-        for (int d = 0; d < dim; ++d)
-          momentum[d] = body_.points.mass[p] * (velocity(d, p) = kept * velocity(d, p) + kick * acceleration[d]);
+        for (int d = 0; d < dim; ++d) {
+          momentum[d] = body_.points.mass[p] * (velocity(d, p) += kick * acceleration[d]);
+          velocity(d, p) *= kept;
+        }
         for (int i = 0; i < stencil.size(); ++i)
           remapped_[static_cast<std::size_t>(stencil.node(i))] += stencil.value(i) * momentum;
       });

@@ -6,9 +6,20 @@
 namespace settle::mpm {
 
 template <int dim>
-auto ViscousDamping<dim>::damp(double dt) const -> Damped {
-  const double c_dt = 2.0 * ratio_ * frequency_ * dt;
-  return {.kept = (2.0 - c_dt) / (2.0 + c_dt), .kick = 2.0 * dt / (2.0 + c_dt)};
+double ViscousDamping<dim>::damping(double dt) const {
+  return 2.0 * ratio_ * frequency_ * dt;
+}
+
+template <int dim>
+double ViscousDamping<dim>::kick(double dt) const {
+  const double c_dt = damping(dt);
+  return 2.0 * dt / (2.0 + c_dt);
+}
+
+template <int dim>
+double ViscousDamping<dim>::kept(double dt) const {
+  const double c_dt = damping(dt);
+  return (2.0 - c_dt) / (2.0 + c_dt);
 }
 
 template <int dim>
@@ -35,6 +46,7 @@ void ViscousDamping<dim>::know_displacements(const Nodes<dim>& nodes) {
 }
 
 template class ViscousDamping<2>;
+template class ViscousDamping<3>;
 template class ViscousDamping<3>;
 
 } // namespace settle::mpm

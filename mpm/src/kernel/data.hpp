@@ -85,7 +85,7 @@ struct Step {
   double ramped_gravity; ///< of the layer under construction
   int ramped_layer;
   double damping, kick, dt; ///< dt: of positions and strains; kick: of velocities [s]
-  double kept;              ///< of velocities before they change [-]
+  double kept;              ///< of velocities after they have changed [-]
 
   PointArrays points;
   const std::uint32_t* begin; ///< by cell

@@ -85,7 +85,7 @@ SETTLE_INLINE void shift(const Step& step, const PointArrays& points, std::size_
   for (int d = 0; d < 2; ++d) {
     new_position[d] = load(points.position[d] + p, count) + motion.move[d];
     store(points.position[d] + p, new_position[d], count);
-    store(points.velocity[d] + p, step.kept * load(points.velocity[d] + p, count) + motion.kick[d], count);
+    store(points.velocity[d] + p, step.kept * (load(points.velocity[d] + p, count) + motion.kick[d]), count);
   }
 }
 

@@ -112,7 +112,7 @@ SETTLE_INLINE void displace(const Step& step, int strip) {
     }
     for (int d = 0; d < 2; ++d) {
       double* momentum = step.node[node_momentum + d] + n;
-      const Lanes moved = (step.kept * load(momentum, count) + step.kick * change[d]) * inverse_mass;
+      const Lanes moved = (load(momentum, count) + step.kick * change[d]) * inverse_mass;
       const Lanes velocity = held_in(step, n, count, 1 << d) ? all(0.0) : moved;
       const Lanes displacement = step.dt * velocity;
       store(momentum, displacement, count);

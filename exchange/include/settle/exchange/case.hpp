@@ -28,6 +28,10 @@ enum class LinearSolver { direct, iterative };
 enum class Relaxation { local, viscous };
 enum class FemElement { Q1, Q2 };
 enum class Kinematics { small, finite };
+
+/// How the finite element method solves the linear equations of an increment. automatic: `direct` in the plane, in
+/// space `multigrid` but for a few cells.
+enum class LinearSolver { automatic, direct, multigrid };
 enum class Quantity {
   settlement,
   displacement, ///< all components
@@ -104,6 +108,10 @@ struct EnumNames<FemElement> {
 template <>
 struct EnumNames<Kinematics> {
   static constexpr std::array<std::string_view, 2> names{"small", "finite"};
+};
+template <>
+struct EnumNames<LinearSolver> {
+  static constexpr std::array<std::string_view, 3> names{"automatic", "direct", "multigrid"};
 };
 template <>
 struct EnumNames<Quantity> {
@@ -240,6 +248,8 @@ struct Fem {
   double element_size = 0.125; ///< [m]
   Kinematics kinematics = Kinematics::small;
   std::optional<int> increments{}; ///< per stage; set by `read_case`: 1 (small), 4 (finite) where left out
+  LinearSolver linear_solver = LinearSolver::automatic;
+  int threads = 1; ///< the result is the same, to the bit, for the same number
 };
 
 /// A line of material points that every solver samples: vertical in a column, any straight line across polygons.

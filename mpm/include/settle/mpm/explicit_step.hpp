@@ -62,7 +62,7 @@ public:
   /// F_damping = -damping |F_unbalanced| sign(velocity) by component; zero where a support holds.
   ForceSums accelerate(double damping);
   /// Displacements of the nodes over `dt`, from the momentum that the points have with velocities that the nodes'
-  /// accelerations have changed over `kick` [s], after all but the share `kept` of them has been damped away.
+  /// accelerations have changed over `kick` [s]. Of the points' new velocities `move` leaves the share `kept`.
   StepEnergy displace(double kick, double dt, double kept = 1.0);
   /// Velocity, strain, volume, stress and position of every point; then, if the body asks for it, point stresses are
   /// replaced by their cell's average. Throws PointLost.

@@ -29,12 +29,10 @@ public:
   /// `ratio`: zeta, of the critical damping of the slowest mode [-].
   explicit ViscousDamping(double ratio) : ratio_(ratio) {}
 
-  /// Of a step of `dt` [s]: what is left of velocities, (2 - c dt)/(2 + c dt), and the time for which forces accelerate
-  /// in it, 2 dt/(2 + c dt) [s].
-  struct Damped {
-    double kept, kick;
-  };
-  [[nodiscard]] Damped damp(double dt) const;
+  /// The time for which forces accelerate in a step of `dt`, 2 dt/(2 + c dt) [s].
+  [[nodiscard]] double kick(double dt) const;
+  /// What is left of velocities between two steps of `dt`, (2 - c dt)/(2 + c dt) [-].
+  [[nodiscard]] double kept(double dt) const;
 
   /// To be told after forces have been scattered: estimates omega, if a step came before.
   void know_forces(const Nodes<dim>& nodes);
@@ -48,6 +46,8 @@ private:
     double mass = 0;
     Vector<dim> internal, displacement;
   };
+
+  [[nodiscard]] double damping(double dt) const; ///< c dt [-]
 
   double ratio_;
   double frequency_ = 0;
