@@ -25,7 +25,7 @@ int main(int argc, char** argv) {
        .declare_options = {},
        .check = check,
        .used = settle::mpm::used,
-       .solve = settle::mpm::solve,
-       .threads = settle::mpm::threads},
+       .threads = settle::mpm::threads,
+       .solve = settle::mpm::solve},
       argc, argv);
 }

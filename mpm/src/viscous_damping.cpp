@@ -47,6 +47,5 @@ void ViscousDamping<dim>::know_displacements(const Nodes<dim>& nodes) {
 
 template class ViscousDamping<2>;
 template class ViscousDamping<3>;
-template class ViscousDamping<3>;
 
 } // namespace settle::mpm
