@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <optional>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -135,6 +136,16 @@ void require_points_that_feel_all_splines(const exchange::Case& study, const exc
                              is_static ? "" : "mpm.integration = \"points\", ", dimension == 2 ? 9 : 27)});
 }
 
+void require_threads(const exchange::Case& study) {
+  const int most = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  if (study.mpm.threads <= most) return;
+  throw exchange::InputError({.where = study.where("mpm.threads"),
+                              .what = "this machine has fewer processors",
+                              .given = std::to_string(study.mpm.threads),
+                              .allowed = fmt::format("1 ... {}", most),
+                              .remedy = fmt::format("set mpm.threads = {}", most)});
+}
+
 /// What polygons and a motion ask for that is not there.
 void require_polygons_that_fit(const exchange::Case& study) {
   if (study.mpm.element != exchange::MpmElement::quadrilateral)
@@ -162,6 +173,7 @@ void require_solvable(const exchange::Case& study) {
   require_points_that_fit(study);
   require_basis_of_the_element(study);
   require_law_that_fits(study);
+  require_threads(study);
   if (study.geometry.shape == exchange::Shape::polygons) return require_polygons_that_fit(study);
   const auto counts = exchange::count_elements(study, "mpm.element_size", study.mpm.element_size);
   require_points_that_feel_all_splines(study, counts);

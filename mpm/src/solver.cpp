@@ -73,8 +73,8 @@ StageReport load(const exchange::Case& study, const StageLoad& stage, Body<Space
   }
   if constexpr (Space::dim == 2)
     if (stage.drive != nullptr && stage.drive->runs_in_time())
-      return run_motion(body, stage, study.mpm.explicit_dynamic.courant);
-  return load_explicit(body, stage, study.mpm.explicit_dynamic);
+      return run_motion(body, stage, study.mpm.explicit_dynamic.courant, study.mpm.threads);
+  return load_explicit(body, stage, study.mpm.explicit_dynamic, study.mpm.threads);
 }
 
 template <class Space>
@@ -140,6 +140,10 @@ exchange::Used used(const exchange::Case& study) {
     values.law = body.law;
     return values;
   });
+}
+
+int threads(const exchange::Case& study) {
+  return study.mpm.scheme == exchange::Scheme::explicit_dynamic ? study.mpm.threads : 1;
 }
 
 void solve(const exchange::Case& study, const exchange::StageSink& sink) {

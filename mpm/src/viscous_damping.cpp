@@ -17,12 +17,9 @@ double ViscousDamping<dim>::kick(double dt) const {
 }
 
 template <int dim>
-void ViscousDamping<dim>::damp(Points<dim>& points, double dt) const {
+double ViscousDamping<dim>::kept(double dt) const {
   const double c_dt = damping(dt);
-  const double kept = (2.0 - c_dt) / (2.0 + c_dt);
-  for (auto& component : points.velocity)
-    for (double& velocity : component)
-      velocity *= kept;
+  return (2.0 - c_dt) / (2.0 + c_dt);
 }
 
 template <int dim>
@@ -49,7 +46,6 @@ void ViscousDamping<dim>::know_displacements(const Nodes<dim>& nodes) {
 }
 
 template class ViscousDamping<2>;
-template class ViscousDamping<3>;
 template class ViscousDamping<3>;
 
 } // namespace settle::mpm

@@ -41,6 +41,16 @@ TEST(Requirements, TheElementHasTheDimensionOfTheCase) {
   expect_refused({"geometry.dimension=3"}, "mpm.element", "\"tetrahedron\" or \"hexahedron\""); // left out
 }
 
+TEST(Requirements, ThreadsAreAsManyAsTheMachineHas) {
+  EXPECT_NO_THROW(require_solvable(paper_column({"mpm.threads=1"})));
+  expect_refused({"mpm.threads=1000000"}, "--set mpm.threads=1000000", "set mpm.threads = ");
+}
+
+TEST(Threads, AreOneInTheQuasiStaticSchemeWhateverIsAskedFor) {
+  EXPECT_EQ(threads(paper_column({"mpm.threads=2"})), 1);
+  EXPECT_EQ(threads(paper_column({"mpm.threads=2", "mpm.scheme=explicit"})), 2);
+}
+
 TEST(Requirements, SmoothBasesAreThoseOfQuadrilaterals) {
   for (const std::string basis : {"gimp", "b-spline"}) {
     expect_refused({"mpm.basis=" + basis}, "--set mpm.basis=" + basis, "set mpm.element = \"quadrilateral\"");

@@ -31,13 +31,15 @@ Body<Space> tracked_block(exchange::Law law, StressIntegration integration) {
 /// Moves every node by a vertical displacement that is linear in height.
 template <class Space>
 void compress(Body<Space>& body, double ratio) {
-  constexpr int vertical = Space::dim - 1;
-  Nodes<Space::dim> nodes(static_cast<std::size_t>(body.space.n_nodes()));
-  for (std::size_t n = 0; n < nodes.size(); ++n) {
-    nodes[n].mass = 1.0;
-    nodes[n].remapped[vertical] = (ratio - 1.0) * body.space.node_position(static_cast<int>(n))[vertical];
+  ExplicitStep<Space> step(body);
+  step.scatter({});
+  for (int n = 0; n < body.space.n_nodes(); ++n) {
+    Vector<Space::dim> displacement = Vector<Space::dim>::Zero();
+    displacement[Space::dim - 1] = (ratio - 1.0) * body.space.node_position(n)[Space::dim - 1];
+    step.set_displacement(n, displacement);
   }
-  update_stress_and_move(body, {}, 1.0, nodes);
+  step.move();
+  step.gather();
 }
 
 /// Vertical Cauchy stress of a stretch along the vertical alone.

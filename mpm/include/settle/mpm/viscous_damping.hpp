@@ -31,8 +31,8 @@ public:
 
   /// The time for which forces accelerate in a step of `dt`, 2 dt/(2 + c dt) [s].
   [[nodiscard]] double kick(double dt) const;
-  /// Damps the velocities between two steps of `dt` [s].
-  void damp(Points<dim>& points, double dt) const;
+  /// What is left of velocities between two steps of `dt`, (2 - c dt)/(2 + c dt) [-].
+  [[nodiscard]] double kept(double dt) const;
 
   /// To be told after forces have been scattered: estimates omega, if a step came before.
   void know_forces(const Nodes<dim>& nodes);
