@@ -23,6 +23,10 @@ if(SETTLE_WARNINGS_AS_ERRORS)
 endif()
 target_compile_definitions(settle_options INTERFACE
   $<$<OR:$<CONFIG:Debug>,$<BOOL:${SETTLE_SANITIZE}>>:SETTLE_ENABLE_ASSERTIONS>)
+if(CMAKE_UNITY_BUILD)
+  # Several files compiled as one: names local to one file may hide another's.
+  target_compile_options(settle_options INTERFACE -Wno-shadow -Wno-subobject-linkage)
+endif()
 if(SETTLE_SANITIZE)
   # These two warnings are unreliable under instrumentation (GCC 12 finds them inside std::regex).
   target_compile_options(settle_options INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=undefined

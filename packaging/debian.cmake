@@ -11,4 +11,5 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_DEPENDS gnuplot-nox) # settle runs it for the report's figures
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS chromium) # only `settle report --format pdf` needs one
 include(CPack)

@@ -33,7 +33,7 @@ namespace {
 void require_nothing_with_slurm(const fs::path& folder) {
   const std::optional<Submission> submission = read_submission(folder);
   if (!submission) return;
-  if (!submission->judged && is_at_work(*submission, interrupted()))
+  if (!submission->judged && is_at_work(*submission))
     throw exchange::InputError({.where = folder.string(),
                                 .what = "runs of this folder are with Slurm",
                                 .given = fmt::format("jobs {}", fmt::join(job_ids(*submission), ", ")),
@@ -109,7 +109,7 @@ ExitCode run_and_report(Campaign campaign, const RunningOptions& options, const 
   const FolderLock lock(folder);
   look_again(plan, options.fresh);
   std::optional<Submission> submission = read_submission(folder);
-  if (submission) note_lost_jobs(plan, *submission, folder, interrupted());
+  if (submission) note_lost_jobs(plan, *submission, folder);
   const std::string report = (folder / "report.html").string();
   auto fingerprint = fingerprint_of(campaign, plan);
   auto end = fingerprint ? finished_before(folder, *fingerprint) : std::nullopt;

@@ -85,12 +85,11 @@ public:
   void declare(CLI::App& app) override {
     app.add_option("FILE", file_, "campaign file (TOML)")->required();
     options_.declare(app, "results/NAME, NAME being the file's, or its folder's for campaign.toml");
-    CLI::Option* shard = app.add_option(
-        "--shard", options_.shard, "i/n: only the i-th of n parts, dealt out run by run, a refinement family as one");
+    app.add_option("--shard", options_.shard,
+                   "i/n: only the i-th of n parts, dealt out run by run, a refinement family as one");
     app.add_option("--costs", options_.costs,
-                   "outcome.json of an earlier campaign: parts are dealt out so that they take the same time; the same "
-                   "file for all parts")
-        ->needs(shard);
+                   "outcome.json of an earlier campaign, by which parts are dealt out so that they take the same time; "
+                   "one file for all parts");
     CLI::Option* executor =
         app.add_option("--executor", executor_, "local: solvers run here; slurm: as job arrays; left out: local")
             ->check(CLI::IsMember({"local", "slurm"}));
@@ -106,6 +105,7 @@ public:
     app.add_flag("--judge-only", options_.judge_only, "run nothing, and judge what is there")->excludes(single);
   }
   ExitCode run(const std::string& command_line) override {
+    require_shard_of_costs();
     const Campaign campaign = read_campaign(file_);
     const fs::path folder = options_.out.empty() ? fs::path("results") / campaign_name(file_) : fs::path(options_.out);
     if (!only_run_.empty()) return run_single(campaign, options_, folder, only_run_);
@@ -118,6 +118,15 @@ public:
   }
 
 private:
+  void require_shard_of_costs() const {
+    if (options_.costs.empty() || !options_.shard.empty()) return;
+    throw exchange::InputError({.where = "--costs",
+                                .what = "costs deal out the parts of a campaign, and no part is asked for",
+                                .given = options_.costs,
+                                .allowed = "together with --shard",
+                                .remedy = "add --shard i/n, or leave the costs out: records hold those of each run"});
+  }
+
   /// This program, this campaign, this part of it.
   [[nodiscard]] std::vector<std::string> words(const fs::path& folder) const {
     std::vector<std::string> words{fs::read_symlink("/proc/self/exe").string(), "campaign", file_, "--out",

@@ -29,7 +29,8 @@ void print_end(const std::string& title, const SolverRun& run) {
 
 } // namespace
 
-ExitCode run_single(Campaign campaign, const RunningOptions& options, const fs::path& folder, const std::string& title) {
+ExitCode run_single(Campaign campaign, const RunningOptions& options, const fs::path& folder,
+                    const std::string& title) {
   watch_interrupts();
   Plan plan = plan_campaign(expanded(campaign, options), folder, options.fresh);
   Task& task = task_titled(plan, title);
@@ -45,7 +46,7 @@ ExitCode run_single(Campaign campaign, const RunningOptions& options, const fs::
   if (interrupted() && run.status != SolverStatus::finished)
     throw exchange::Error(ExitCode::interrupted, title + " was interrupted");
   print_end(title, run);
-  return exit_code_of(run.status);
+  return exit_code_after(run.status);
 }
 
 } // namespace settle::compare::cli

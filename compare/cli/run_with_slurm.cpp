@@ -5,6 +5,8 @@
 #include <optional>
 #include <thread>
 
+#include <unistd.h>
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -14,8 +16,8 @@
 #include "settle/compare/finished_campaign.hpp"
 #include "settle/compare/folder_lock.hpp"
 #include "settle/compare/interrupt.hpp"
-#include "settle/compare/slurm_jobs.hpp"
 #include "settle/compare/outcome_io.hpp"
+#include "settle/compare/slurm_jobs.hpp"
 #include "settle/compare/text_file.hpp"
 #include "summary.hpp"
 
@@ -42,7 +44,7 @@ std::optional<Submission> earlier_submission(const Plan& plan, const fs::path& f
   if (!submission) return {};
   const bool is_same = submission->fingerprint == fingerprint_of(plan);
   if (is_same && !fresh) return submission;
-  if (is_at_work(*submission, interrupted()))
+  if (is_at_work(*submission))
     throw exchange::InputError(
         {.where = folder.string(),
          .what = is_same ? "runs of this campaign are with Slurm" : "runs of this campaign as it was are with Slurm",
@@ -70,7 +72,7 @@ std::optional<Submission> submitted_once(Plan& plan, const RunningOptions& optio
   const FolderLock lock(slurm_folder(slurm.folder));
   std::optional<Submission> submission = earlier_submission(plan, slurm.folder, options.fresh);
   if (!submission) submission = new_submission(plan, options, slurm, command_line);
-  if (submission && !submission->judged) submit(*submission, slurm, interrupted());
+  if (submission && !submission->judged) submit(*submission, slurm);
   return submission;
 }
 
@@ -93,6 +95,15 @@ ExitCode show_end(const RunningOptions& options, const fs::path& folder, Display
   if (options.progress != "json" && somebody_listens()) announce(outcome);
   discard_submission(folder);
   return code;
+}
+
+SlurmNews news_for(Display& display) {
+  return {.progress = [&](const Progress& progress) { display.progress(progress); },
+          .waiting =
+              [](const std::string& text) {
+                const bool on_terminal = isatty(STDERR_FILENO) == 1; // where a line is written over
+                fmt::print(stderr, "{}with Slurm: {}\n", on_terminal ? "\r\x1b[K" : "", text);
+              }};
 }
 
 /// The job that judges was ended before it has: this does its work.
@@ -118,15 +129,14 @@ ExitCode run_with_slurm(Campaign campaign, const RunningOptions& options, SlurmO
     return ExitCode::success;
   }
   watch_interrupts();
-  if (!earlier_submission(plan, slurm.folder, options.fresh))
-    require_solvers_agree(plan, options.jobs, interrupted());
+  if (!earlier_submission(plan, slurm.folder, options.fresh)) require_solvers_agree(plan, options.jobs, interrupted());
   const std::optional<Submission> submission = submitted_once(plan, options, slurm, command_line);
   if (!submission) return run_and_report(campaign, options, slurm.folder, command_line);
   const std::unique_ptr<Display> display = make_display(options.progress);
-  if (!submission->judged || is_at_work(*submission, interrupted())) {
+  if (!submission->judged || is_at_work(*submission)) {
     fmt::print(stderr, "with Slurm: jobs {}; logs in {}\n", fmt::join(job_ids(*submission), ", "),
                slurm_folder(slurm.folder).string());
-    follow(plan, *submission, [&](const Progress& progress) { display->progress(progress); }, interrupted());
+    follow(plan, *submission, news_for(*display), interrupted());
   }
   return is_judged(slurm.folder) ? show_end(options, slurm.folder, *display)
                                  : judge_here(campaign, options, slurm.folder, command_line);

@@ -164,7 +164,7 @@ CampaignOutcome run_campaign(const Campaign& campaign, const Plan& plan, const R
   return outcome;
 }
 
-ExitCode exit_code_of(SolverStatus status) {
+ExitCode exit_code_after(SolverStatus status) {
   if (status == SolverStatus::finished) return ExitCode::success;
   return lacks_its_result(status) ? ExitCode::file_failed : ExitCode::solver_failed;
 }

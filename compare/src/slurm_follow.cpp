@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <array>
 #include <chrono>
+#include <set>
 #include <thread>
 
 #include <fmt/format.h>
@@ -51,12 +53,18 @@ void pause_after(Clock::time_point start, const std::atomic<bool>& stop) {
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
 }
 
+/// Does a job wait for its turn, as all do?
+bool is_ordinary(const std::string& reason) {
+  constexpr std::array<std::string_view, 6> ordinary{"None",       "Priority",          "Resources",
+                                                     "Dependency", "JobArrayTaskLimit", "BeginTime"};
+  return std::find(ordinary.begin(), ordinary.end(), reason) != ordinary.end();
+}
+
 class Following {
 public:
-  Following(Plan& plan, const Submission& submission, const std::function<void(const Progress&)>& tell,
-            const std::atomic<bool>& stop)
-      : submission_(submission), stop_(stop), waiting_(followed_of(plan, submission)),
-        observer_(plan, static_cast<int>(std::max<std::size_t>(waiting_.size(), 1)), tell) {
+  Following(Plan& plan, const Submission& submission, const SlurmNews& news)
+      : submission_(submission), waiting_(followed_of(plan, submission)),
+        observer_(plan, static_cast<int>(std::max<std::size_t>(waiting_.size(), 1)), news.progress), news_(news) {
     for (Task& task : plan.tasks) {
       const bool is_followed = std::any_of(waiting_.begin(), waiting_.end(),
                                            [&](const Followed& followed) { return followed.task == &task; });
@@ -66,7 +74,9 @@ public:
 
   /// True: everything has ended.
   bool look() {
-    const SlurmStates states(listed_jobs(names_of(submission_), stop_));
+    const std::vector<SlurmJob> jobs = listed_jobs(names_of(submission_));
+    say_why(jobs);
+    const SlurmStates states(jobs);
     const SlurmJob* judge = states.find(submission_.judge_name);
     const bool is_over = judge == nullptr || has_ended(judge->state);
     for (Followed& followed : waiting_)
@@ -76,8 +86,20 @@ public:
   }
 
 private:
+  /// Once for each set of reasons.
+  void say_why(const std::vector<SlurmJob>& jobs) {
+    std::set<std::string> reasons;
+    for (const SlurmJob& job : jobs) {
+      if (job.state == "PENDING" && !is_ordinary(job.reason)) reasons.insert(job.reason);
+    }
+    if (reasons == said_) return;
+    said_ = reasons;
+    if (!reasons.empty()) news_.waiting(fmt::format("jobs wait: {}", fmt::join(reasons, ", ")));
+  }
+
   void look_at(Followed& followed, const SlurmJob* job, bool is_over) {
-    const bool waits = job != nullptr && !has_ended(job->state) && job->state != "RUNNING" && job->state != "COMPLETING";
+    const bool waits =
+        job != nullptr && !has_ended(job->state) && job->state != "RUNNING" && job->state != "COMPLETING";
     if (waits && !is_over) return;
     if (!followed.started) observer_.started(*followed.task);
     followed.started = true;
@@ -98,15 +120,16 @@ private:
   }
 
   const Submission& submission_;
-  const std::atomic<bool>& stop_;
   std::vector<Followed> waiting_;
   Observer observer_;
+  const SlurmNews& news_;
+  std::set<std::string> said_;
 };
 
 /// What Slurm knows of the jobs, now or from its accounting.
-SlurmStates all_states(const Submission& submission, const std::atomic<bool>& stop) {
-  std::vector<SlurmJob> jobs = accounted_jobs(job_ids(submission), stop);
-  const std::vector<SlurmJob> listed = listed_jobs(names_of(submission), stop);
+SlurmStates all_states(const Submission& submission) {
+  std::vector<SlurmJob> jobs = accounted_jobs(job_ids(submission));
+  const std::vector<SlurmJob> listed = listed_jobs(names_of(submission));
   jobs.insert(jobs.end(), listed.begin(), listed.end()); // these are newer
   return SlurmStates(jobs);
 }
@@ -133,10 +156,9 @@ FailedAttempt lost(const SlurmJob* job, const fs::path& log) {
 
 } // namespace
 
-void follow(Plan& plan, const Submission& submission, const std::function<void(const Progress&)>& tell,
-            const std::atomic<bool>& stop) {
+void follow(Plan& plan, const Submission& submission, const SlurmNews& news, const std::atomic<bool>& stop) {
   const auto start = Clock::now();
-  Following following(plan, submission, tell, stop);
+  Following following(plan, submission, news);
   while (!stop && !following.look())
     pause_after(start, stop);
   if (stop)
@@ -146,11 +168,11 @@ void follow(Plan& plan, const Submission& submission, const std::function<void(c
                                       fmt::join(job_ids(submission), " ")));
 }
 
-void note_lost_jobs(Plan& plan, const Submission& submission, const fs::path& folder, const std::atomic<bool>& stop) {
+void note_lost_jobs(Plan& plan, const Submission& submission, const fs::path& folder) {
   std::vector<Followed> awaited = followed_of(plan, submission);
   std::erase_if(awaited, [](const Followed& followed) { return !is_awaited(*followed.task); });
   if (awaited.empty()) return;
-  const SlurmStates states = all_states(submission, stop);
+  const SlurmStates states = all_states(submission);
   for (const Followed& followed : awaited) {
     const fs::path log = slurm_folder(folder) / fmt::format("{}_{}.log", followed.name, followed.number);
     followed.task->record->failure = lost(states.find(followed.name, followed.number), log);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <sstream>
 
 #include <fmt/format.h>
@@ -16,7 +17,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr double patience = 120.0; ///< with Slurm's controller, to which its commands try to get through by themselves [s]
+constexpr double patience = 120.0; ///< with Slurm's controller, which its commands try to reach for a while [s]
+
+/// What was asked of Slurm is not left half done: whoever interrupts this waits for the answer, or interrupts again.
+const std::atomic<bool> never{false};
 
 std::vector<std::string> fields_of(const std::string& line) {
   std::vector<std::string> fields;
@@ -60,10 +64,10 @@ void require_slurm() {
                               .remedy = "run this where jobs are submitted, or leave --executor out"});
 }
 
-std::string submit_job(const std::vector<std::string>& arguments, const std::atomic<bool>& stop) {
+std::string submit_job(const std::vector<std::string>& arguments) {
   std::vector<std::string> words{"--parsable"};
   words.insert(words.end(), arguments.begin(), arguments.end());
-  const CapturedOutput answer = run_captured(find_in_path("sbatch"), words, patience, stop);
+  const CapturedOutput answer = run_captured(find_in_path("sbatch"), words, patience, never);
   const std::string id = answer.text.substr(0, answer.text.find_first_of(";\n")); // "12" or "12;cluster"
   const bool is_number = !id.empty() && id.find_first_not_of("0123456789") == std::string::npos;
   if (has_succeeded(answer) && is_number) return id;
@@ -74,12 +78,16 @@ std::string submit_job(const std::vector<std::string>& arguments, const std::ato
                               .remedy = fmt::format("the options it was given: {}", fmt::join(arguments, " "))});
 }
 
-std::vector<SlurmJob> listed_jobs(const std::vector<std::string>& names, const std::atomic<bool>& stop) {
+std::vector<SlurmJob> listed_jobs(const std::vector<std::string>& names) {
   const fs::path program = find_in_path("squeue");
-  const std::vector<std::string> words{"--noheader", "--array", "--me", "--states=all",
-                                       fmt::format("--name={}", fmt::join(names, ",")), "--format=%F|%K|%T|%r|%j"};
+  const std::vector<std::string> words{"--noheader",
+                                       "--array",
+                                       "--me",
+                                       "--states=all",
+                                       fmt::format("--name={}", fmt::join(names, ",")),
+                                       "--format=%F|%K|%T|%r|%j"};
   CapturedOutput answer;
-  if (!program.empty()) answer = run_captured_whole(program, words, patience, stop);
+  if (!program.empty()) answer = run_captured_whole(program, words, patience, never);
   if (!has_succeeded(answer))
     throw exchange::FileError({.where = "squeue",
                                .what = "Slurm does not say how its jobs are",
@@ -96,14 +104,14 @@ std::vector<SlurmJob> listed_jobs(const std::vector<std::string>& names, const s
   return jobs;
 }
 
-std::vector<SlurmJob> accounted_jobs(const std::vector<std::string>& ids, const std::atomic<bool>& stop) {
+std::vector<SlurmJob> accounted_jobs(const std::vector<std::string>& ids) {
   const fs::path program = find_in_path("sacct");
   if (program.empty()) return {};
   const CapturedOutput answer =
       run_captured_whole(program,
                          {"--noheader", "--parsable2", "--array", "--allocations", "--format=JobID,State,JobName",
                           fmt::format("--jobs={}", fmt::join(ids, ","))},
-                         patience, stop);
+                         patience, never);
   if (!has_succeeded(answer)) return {};
   std::vector<SlurmJob> jobs;
   std::istringstream lines(answer.text);

@@ -20,7 +20,7 @@ public:
 
 private:
   std::map<std::pair<std::string, std::string>, SlurmJob> jobs_; ///< (name, number)
-  std::map<std::string, SlurmJob> rest_; ///< tasks of an array that are listed as one
+  std::map<std::string, SlurmJob> rest_;                         ///< tasks of an array that are listed as one
 };
 
 /// The names of all jobs of a submission.

@@ -9,8 +9,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "settle/compare/command_words.hpp"
 #include "settle/compare/campaign_run.hpp"
+#include "settle/compare/command_words.hpp"
 #include "settle/compare/slurm_campaign.hpp"
 #include "settle/compare/slurm_jobs.hpp"
 #include "settle/compare/text_file.hpp"
@@ -85,7 +85,8 @@ std::string write_script(const fs::path& folder, const std::string& name, const 
   return file.string();
 }
 
-std::vector<std::string> common_arguments(const std::string& name, const std::string& log, const SlurmOptions& options) {
+std::vector<std::string> common_arguments(const std::string& name, const std::string& log,
+                                          const SlurmOptions& options) {
   return {"--job-name=" + name, "--chdir=" + fs::current_path().string(),
           "--output=" + without_patterns(fs::absolute(slurm_folder(options.folder))) + "/" + log};
 }
@@ -131,34 +132,35 @@ std::vector<std::string> judge_arguments(const Submission& submission, const Slu
   return arguments;
 }
 
-void submit_rest(Submission& submission, const SlurmStates& known, const SlurmOptions& options,
-                 const std::atomic<bool>& stop) {
+void submit_rest(Submission& submission, const SlurmStates& known, const SlurmOptions& options) {
   for (SubmittedArray& array : submission.arrays) {
     if (!array.id.empty()) continue;
     const SlurmJob* job = known.find(array.name, 0);
-    array.id = job != nullptr ? job->id : submit_job(array_arguments(array, options), stop);
+    array.id = job != nullptr ? job->id : submit_job(array_arguments(array, options));
     write_submission(submission, options.folder);
   }
   if (!submission.judge_id.empty()) return;
   const SlurmJob* job = known.find(submission.judge_name);
-  submission.judge_id = job != nullptr ? job->id : submit_job(judge_arguments(submission, options), stop);
+  submission.judge_id = job != nullptr ? job->id : submit_job(judge_arguments(submission, options));
   write_submission(submission, options.folder);
 }
 
 } // namespace
 
 void require_free_options(const std::vector<std::string>& options, const std::string& where) {
-  constexpr std::array<std::string_view, 14> taken{"--array",   "-a", "--dependency", "-d", "--job-name", "-J", "--output",
-                                                   "-o", "--chdir", "-D", "--parsable", "--wrap", "--wait", "-W"};
+  constexpr std::array<std::string_view, 14> taken{"--array",    "-a",       "--dependency", "-d",      "--job-name",
+                                                   "-J",         "--output", "-o",           "--chdir", "-D",
+                                                   "--parsable", "--wrap",   "--wait",       "-W"};
   for (const std::string& option : options) {
     const std::string name = option.substr(0, option.find('='));
     const bool is_taken = std::find(taken.begin(), taken.end(), name) != taken.end();
     if (option.starts_with("-") && !is_taken) continue;
-    throw exchange::InputError({.where = where,
-                                .what = is_taken ? "settle sets this option of sbatch itself" : "this is no option of sbatch",
-                                .given = option,
-                                .allowed = fmt::format("options of sbatch but {}", fmt::join(taken, ", ")),
-                                .remedy = "for example --partition=short"});
+    throw exchange::InputError(
+        {.where = where,
+         .what = is_taken ? "settle sets this option of sbatch itself" : "this is no option of sbatch",
+         .given = option,
+         .allowed = fmt::format("options of sbatch but {}", fmt::join(taken, ", ")),
+         .remedy = "for example --partition=short"});
   }
 }
 
@@ -179,10 +181,10 @@ Submission plan_submission(const Plan& plan, const SlurmOptions& options, const 
   return submission;
 }
 
-void submit(Submission& submission, const SlurmOptions& options, const std::atomic<bool>& stop) {
-  const SlurmStates known(listed_jobs(names_of(submission), stop));
+void submit(Submission& submission, const SlurmOptions& options) {
+  const SlurmStates known(listed_jobs(names_of(submission)));
   try {
-    submit_rest(submission, known, options, stop);
+    submit_rest(submission, known, options);
   } catch (const exchange::InputError& refusal) {
     const std::vector<std::string> ids = job_ids(submission);
     if (ids.empty()) discard_submission(options.folder);
@@ -202,8 +204,8 @@ std::vector<std::string> job_ids(const Submission& submission) {
   return ids;
 }
 
-bool is_at_work(const Submission& submission, const std::atomic<bool>& stop) {
-  const std::vector<SlurmJob> jobs = listed_jobs(names_of(submission), stop);
+bool is_at_work(const Submission& submission) {
+  const std::vector<SlurmJob> jobs = listed_jobs(names_of(submission));
   return std::any_of(jobs.begin(), jobs.end(), [](const SlurmJob& job) { return !has_ended(job.state); });
 }
 

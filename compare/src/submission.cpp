@@ -17,15 +17,20 @@ fs::path note_in(const fs::path& campaign_folder) {
 }
 
 json to_json(const SubmittedArray& array) {
-  json stored{
-      {"name", array.name}, {"id", array.id}, {"time_limit", array.time_limit}, {"memory_limit", nullptr}, {"runs", array.titles}};
+  json stored{{"name", array.name},
+              {"id", array.id},
+              {"time_limit", array.time_limit},
+              {"memory_limit", nullptr},
+              {"runs", array.titles}};
   if (array.memory_limit) stored["memory_limit"] = *array.memory_limit;
   return stored;
 }
 
 SubmittedArray array_from(const json& stored) {
-  SubmittedArray array{
-      .name = stored.at("name"), .id = stored.at("id"), .time_limit = stored.at("time_limit"), .titles = stored.at("runs")};
+  SubmittedArray array{.name = stored.at("name"),
+                       .id = stored.at("id"),
+                       .time_limit = stored.at("time_limit"),
+                       .titles = stored.at("runs")};
   if (!stored.at("memory_limit").is_null()) array.memory_limit = stored.at("memory_limit").get<double>();
   return array;
 }
@@ -68,9 +73,12 @@ void write_submission(const Submission& submission, const fs::path& campaign_fol
   json arrays = json::array();
   for (const SubmittedArray& array : submission.arrays)
     arrays.push_back(to_json(array));
-  const json whole{{"fingerprint", submission.fingerprint}, {"command", submission.command},
-                   {"moment", submission.moment},           {"arrays", arrays},
-                   {"judge_name", submission.judge_name},   {"judge_id", submission.judge_id},
+  const json whole{{"fingerprint", submission.fingerprint},
+                   {"command", submission.command},
+                   {"moment", submission.moment},
+                   {"arrays", arrays},
+                   {"judge_name", submission.judge_name},
+                   {"judge_id", submission.judge_id},
                    {"judged", submission.judged}};
   write_text(note_in(campaign_folder), whole.dump(2, ' ', false, json::error_handler_t::replace) + "\n");
   sync_to_disk(note_in(campaign_folder));

@@ -88,6 +88,17 @@ void check_band(const Check& check, const std::string& key, const Case& study, R
                     .remedy = {}});
 }
 
+/// Relaxation has no time in which a hold could be measured; without a ramp, no hold at all would be no step at all.
+void check_relaxation(const Case& study, Reading& reading) {
+  const ExplicitDynamic& settings = study.mpm.explicit_dynamic;
+  if (settings.relaxation == Relaxation::local || !settings.hold) return;
+  reading.complain({.where = study.where("mpm.explicit.hold"),
+                    .what = "viscous relaxation leads to equilibrium, not through a time",
+                    .given = fmt::format("{:g} s with relaxation = \"viscous\"", *settings.hold),
+                    .allowed = "\"equilibrium\"",
+                    .remedy = "leave out mpm.explicit.hold, or set mpm.explicit.relaxation = \"local\""});
+}
+
 } // namespace
 
 void check_consistency(const Case& study, Reading& reading) {
@@ -96,6 +107,7 @@ void check_consistency(const Case& study, Reading& reading) {
     check_polygons(study, reading);
   else
     check_probes(study, reading);
+  check_relaxation(study, reading);
   if (study.motion) check_motion(study, reading);
   check_references(study, reading);
   for (std::size_t number = 0; number < study.checks.size(); ++number) {

@@ -2,6 +2,7 @@
 
 #include "case_consistency.hpp"
 #include "case_keys.hpp"
+#include "motion_consistency.hpp"
 #include "polygon_consistency.hpp"
 #include "settle/exchange/formulas.hpp"
 #include "settle/exchange/plane_geometry.hpp"
@@ -33,6 +34,10 @@ int usual_points(MpmElement element) {
 void fill_dependent_defaults(Case& study) {
   Geometry& geometry = study.geometry;
   if (!study.mpm.points_per_element) study.mpm.points_per_element = usual_points(study.mpm.element);
+  std::optional<MpmLinearSolver>& linear_solver = study.mpm.quasi_static.linear_solver;
+  if (!linear_solver) linear_solver = geometry.dimension == 2 ? MpmLinearSolver::direct : MpmLinearSolver::iterative;
+  ExplicitDynamic& time_steps = study.mpm.explicit_dynamic;
+  if (!time_steps.ramp_time && time_steps.relaxation == Relaxation::local) time_steps.ramp_time = 10.0;
   if (!study.fem.increments) study.fem.increments = study.fem.kinematics == Kinematics::small ? 1 : 4;
   if (geometry.shape == Shape::polygons) return fill_extent(geometry);
   const bool solid = geometry.dimension == 3;
@@ -55,7 +60,8 @@ Case interpreted(const document::Table& table, const std::string& name) {
   fill_dependent_defaults(study);
   check_consistency(study, reading);
   reading.throw_if_any();
-  if (study.motion) static_cast<void>(Formulas(study)); // throws where a formula cannot be understood
+  if (study.motion) check_start(study, Formulas(study), reading); // throws where a formula cannot be understood
+  reading.throw_if_any();
   return study;
 }
 

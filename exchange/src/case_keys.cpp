@@ -121,16 +121,26 @@ KeyTable<QuasiStatic> quasi_static_keys() {
                {.range = at_least(1), .doc = "steps in which a layer's gravity is applied, per stage"});
   keys.real("residual", &QuasiStatic::residual,
             {.range = between(0, 1), .doc = "relative out-of-balance force at which an increment is accepted"});
+  keys.choice("linear_solver", &QuasiStatic::linear_solver,
+              {.left_out = "\"direct\" in 2-D, \"iterative\" in 3-D",
+               .doc = "a complete factorisation, or iterations with an incomplete one"});
   return keys;
 }
 
 KeyTable<ExplicitDynamic> explicit_keys() {
   using Explicit = ExplicitDynamic;
   KeyTable<Explicit> keys("The explicit scheme of the material point method: a ramp of gravity, then a hold.");
-  keys.real("damping", &Explicit::damping, {.range = from_to_below(0, 1), .doc = "local damping factor"});
+  keys.choice(
+      "relaxation", &Explicit::relaxation,
+      {.doc = "damping by the unbalanced force of each node, or viscous by the lowest frequency (docs/mpm.md)"});
+  keys.real("damping", &Explicit::damping,
+            {.range = from_to_below(0, 1), .doc = "local damping factor, or share of the critical viscous damping"});
   keys.real("courant", &Explicit::courant, {.range = above_to(0, 1), .doc = "fraction of the stable time step"});
   keys.real("ramp_time", &Explicit::ramp_time,
-            {.unit = "s", .range = above(0), .doc = "time over which a layer's gravity grows, per stage"});
+            {.unit = "s",
+             .range = above(0),
+             .left_out = "10 (local), gravity at once (viscous)",
+             .doc = "time over which a layer's gravity grows, per stage"});
   keys.real_or_word("hold", &Explicit::hold, "equilibrium",
                     {.unit = "s", .range = at_least(0), .doc = "how long full gravity is held; 0: an unheld ramp"});
   keys.real("force_error", &Explicit::force_error,
@@ -144,7 +154,8 @@ KeyTable<ExplicitDynamic> explicit_keys() {
 
 KeyTable<Mpm> mpm_keys() {
   KeyTable<Mpm> keys("What the material point method is told.");
-  keys.choice("element", &Mpm::element, {.doc = "cells of the background grid"});
+  keys.choice("element", &Mpm::element,
+              {.doc = "cells of the background grid: the first two in 2-D, the others in 3-D"});
   keys.real(
       "element_size", &Mpm::element_size,
       {.unit = "m", .range = above(0), .doc = "edge of a grid cell; the layer thickness must be a multiple of it"});
@@ -160,6 +171,8 @@ KeyTable<Mpm> mpm_keys() {
                {.doc = "law rate: rotate the stress with the material (Jaumann rate); matters where layers rotate"});
   keys.boolean("average_stress", &Mpm::average_stress,
                {.doc = "replace point stresses by the cell's average after each move"});
+  keys.integer("threads", &Mpm::threads,
+               {.range = at_least(1), .doc = "of the explicit scheme; results are the same, bit for bit"});
   keys.choice("scheme", &Mpm::scheme, {.doc = "implicit increments of gravity, or damped time steps"});
   keys.table("quasi_static", &Mpm::quasi_static, quasi_static_keys());
   keys.table("explicit", &Mpm::explicit_dynamic, explicit_keys());
@@ -176,6 +189,11 @@ KeyTable<Fem> fem_keys() {
                {.range = at_least(1),
                 .left_out = "1 (small), 4 (finite)",
                 .doc = "steps in which a layer's gravity is applied, per stage"});
+  keys.choice("linear_solver", &Fem::linear_solver,
+              {.doc =
+                   "sparse factors, or a Krylov method with algebraic multigrid; `automatic`: factors in 2-D and for "
+                   "3000 degrees of freedom or fewer, else multigrid"});
+  keys.integer("threads", &Fem::threads, {.range = at_least(1), .doc = "threads of one run; a campaign runs several"});
   return keys;
 }
 

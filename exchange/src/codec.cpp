@@ -9,16 +9,13 @@
 namespace settle::exchange {
 namespace {
 
+using document::entry;
 using document::List;
 using document::Table;
 using document::Value;
 
 Value text_value(std::string text) {
   return {std::move(text), {}};
-}
-
-document::Entry entry(std::string key, Value value) {
-  return {std::move(key), {}, std::move(value)};
 }
 
 document::Entry type_entry(std::string type) {

@@ -7,13 +7,10 @@
 namespace settle::exchange {
 namespace {
 
+using document::entry;
 using document::List;
 using document::Table;
 using document::Value;
-
-document::Entry entry(std::string key, Value value) {
-  return {std::move(key), {}, std::move(value)};
-}
 
 Value whole_number(std::size_t number) {
   return {static_cast<std::int64_t>(number), {}};

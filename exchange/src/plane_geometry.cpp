@@ -27,6 +27,17 @@ double distance_outside(const Polygon& polygon, const PlanePoint& point) {
   return distance;
 }
 
+/// Does all of a polygon lie on the outer side of one of the other's edges?
+bool beyond_an_edge(const Polygon& one, const Polygon& other, double slack) {
+  for (std::size_t i = 0; i < one.corners.size(); ++i) {
+    bool beyond = true;
+    for (std::size_t j = 0; j < other.corners.size(); ++j)
+      beyond = beyond && left_of(corner(one, i), corner(one, i + 1), corner(other, j)) <= slack;
+    if (beyond) return true;
+  }
+  return false;
+}
+
 } // namespace
 
 PlaneBox bounding_box(const Geometry& geometry) {
@@ -59,6 +70,10 @@ double layer_area(const Geometry& geometry, int layer) {
 
 bool contains(const Polygon& polygon, const PlanePoint& point, double slack) {
   return distance_outside(polygon, point) <= slack;
+}
+
+bool overlap(const Polygon& one, const Polygon& other, double slack) {
+  return !beyond_an_edge(one, other, slack) && !beyond_an_edge(other, one, slack); // separating axes of convex polygons
 }
 
 std::vector<int> layers_at(const Geometry& geometry, const PlanePoint& point, double slack) {

@@ -77,6 +77,22 @@ void check_polygon(const Case& study, std::size_t number, Reading& reading) {
                     .remedy = {}});
 }
 
+/// Material that would be placed twice. Corners that are meant to be one place are given to some digits.
+void check_overlaps(const Case& study, Reading& reading) {
+  const std::vector<Polygon>& polygons = study.geometry.polygons;
+  const PlaneBox box = bounding_box(study.geometry);
+  const double slack = 1e-9 * (box.highest[0] - box.lowest[0] + box.highest[1] - box.lowest[1]);
+  for (std::size_t i = 0; i < polygons.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      if (!is_convex(polygons[i]) || !is_convex(polygons[j]) || !overlap(polygons[i], polygons[j], slack)) continue;
+      reading.complain({.where = study.where(fmt::format("geometry.polygon.{}.corners", i)),
+                        .what = fmt::format("geometry.polygon.{} and geometry.polygon.{} overlap", j, i),
+                        .given = "material that would be placed twice",
+                        .allowed = "polygons side by side, that share whole edges or nothing",
+                        .remedy = "move the corners of one of them"});
+    }
+}
+
 void check_extent(const Case& study, const std::string& key, double given, double extent, Reading& reading) {
   if (given == 0 || std::abs(given - extent) <= 1e-9 * extent) return;
   reading.complain({.where = study.where(key),
@@ -158,6 +174,7 @@ void check_shape(const Case& study, Reading& reading) {
            .remedy = {}},
           reading);
   if (study.geometry.polygons.empty()) return;
+  check_overlaps(study, reading);
   check_layers_of_polygons(study, reading);
   const PlaneBox box = bounding_box(study.geometry);
   check_extent(study, "geometry.width", study.geometry.width, box.highest[0] - box.lowest[0], reading);

@@ -7,8 +7,8 @@
 
 namespace settle::exchange {
 
-/// Complains about lengths a column lacks, polygons that are none, layers without polygons; to be called before the
-/// extent of polygons is taken.
+/// Complains about lengths a column lacks, polygons that are none or overlap, layers without polygons; to be called
+/// before the extent of polygons is taken.
 void check_shape(const Case& study, Reading& reading);
 
 /// Complains about probes, supports and conventions that do not go with polygons.

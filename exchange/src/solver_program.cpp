@@ -101,7 +101,8 @@ void solve(const SolverProgram& program, const Case& study, const Arguments& arg
     index.add(stage);
     if (!arguments.quiet) print_progress(study, stage, arguments.log());
   });
-  writer.finish(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), 1);
+  writer.finish(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(),
+                program.threads ? program.threads(study) : 1);
   index.write();
 }
 

@@ -3,7 +3,6 @@
 
 #include <CLI/CLI.hpp>
 #include <deal.II/base/config.h>
-#include <deal.II/base/multithread_info.h>
 #include <fmt/format.h>
 
 #include "settle/exchange/solver_program.hpp"
@@ -22,7 +21,6 @@ std::string check(const exchange::Case& study) {
 } // namespace
 
 int main(int argc, char** argv) {
-  dealii::MultithreadInfo::set_thread_limit(1); // the same bits on every machine; campaigns run cases in parallel
   std::optional<std::filesystem::path> pictures;
   return exchange::run_solver(
       {.name = "settle-fem",
@@ -34,6 +32,7 @@ int main(int argc, char** argv) {
            },
        .check = check,
        .used = [](const exchange::Case& study) { return settle::fem::Solver(study).used(); },
+       .threads = [](const exchange::Case& study) { return study.fem.threads; },
        .solve = [&](const exchange::Case& study,
                     const exchange::StageSink& on_stage) { settle::fem::Solver(study).build(on_stage, pictures); }},
       argc, argv);

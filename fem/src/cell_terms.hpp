@@ -22,18 +22,30 @@ std::vector<dealii::SymmetricTensor<2, dim>> strains(const dealii::FEValues<dim>
   return result;
 }
 
+/// (dofs) along which axis each shape function is: the others of its components are zero.
+template <int dim>
+std::vector<unsigned> axes_of_dofs(const dealii::FEValues<dim>& values) {
+  std::vector<unsigned> axes(values.dofs_per_cell);
+  for (unsigned i = 0; i < axes.size(); ++i)
+    axes[i] = values.get_fe().system_to_component_index(i).first;
+  return axes;
+}
+
 /// (dofs, dofs) integral of eps(phi_i) : D : eps(phi_j) [N/m per metre out of plane, or N/m].
 template <int dim>
 dealii::FullMatrix<double> stiffness_matrix(const dealii::FEValues<dim>& values,
                                             const dealii::SymmetricTensor<4, dim>& stiffness) {
   const unsigned n = values.dofs_per_cell;
+  const std::vector<unsigned> axes = axes_of_dofs(values);
   dealii::FullMatrix<double> matrix(n, n);
-  for (const unsigned q : values.quadrature_point_indices())
-    for (unsigned i = 0; i < n; ++i) {
-      const auto weighted = values[displacements].symmetric_gradient(i, q) * stiffness * values.JxW(q);
+  std::vector<dealii::Tensor<2, dim>> stress(n);
+  for (const unsigned q : values.quadrature_point_indices()) {
+    for (unsigned j = 0; j < n; ++j)
+      stress[j] = dealii::Tensor<2, dim>(stiffness * values[displacements].symmetric_gradient(j, q) * values.JxW(q));
+    for (unsigned i = 0; i < n; ++i)
       for (unsigned j = 0; j < n; ++j)
-        matrix(i, j) += weighted * values[displacements].symmetric_gradient(j, q);
-    }
+        matrix(i, j) += values.shape_grad(i, q) * stress[j][axes[i]];
+  }
   return matrix;
 }
 

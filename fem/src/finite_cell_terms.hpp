@@ -48,6 +48,7 @@ template <int dim>
 dealii::FullMatrix<double> tangent_matrix(const dealii::FEValues<dim>& values,
                                           const std::vector<DeformedPoint<dim>>& points) {
   const unsigned n = values.dofs_per_cell;
+  const std::vector<unsigned> axes = axes_of_dofs(values);
   dealii::FullMatrix<double> matrix(n, n);
   std::vector<dealii::Tensor<2, dim>> g(n);
   for (const unsigned q : values.quadrature_point_indices()) {
@@ -60,7 +61,7 @@ dealii::FullMatrix<double> tangent_matrix(const dealii::FEValues<dim>& values,
       const dealii::Tensor<2, dim> change =
           values.JxW(q) * (dealii::Tensor<2, dim>(points[q].moduli * d) + w * tau - tau * dealii::Tensor<2, dim>(d));
       for (unsigned i = 0; i < n; ++i)
-        matrix(i, j) += scalar_product(g[i], change);
+        matrix(i, j) += g[i][axes[i]] * change[axes[i]];
     }
   }
   return matrix;

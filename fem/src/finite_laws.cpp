@@ -30,52 +30,62 @@ Symmetric spun(const dealii::Tensor<2, 3>& w, const Symmetric& x) {
   return 2.0 * symmetrize(w * dealii::Tensor<2, 3>(x));
 }
 
-std::optional<PointResponse> rate(const Elasticity& constants, const PointMotion& motion, double volume_ratio) {
+std::optional<PointResponse> rate(const Elasticity& constants, const PointMotion& motion, double volume_ratio,
+                                  Wanted wanted) {
   const dealii::Tensor<2, 3> start = dealii::Tensor<2, 3>(dealii::unit_symmetric_tensor<3>()) + motion.before;
   const LeftStretch stretch(motion.increment * invert(start));
   if (!stretch.regular()) return {};
   const dealii::Tensor<2, 3> rotation = stretch.rotation();
   const Symmetric rotated = symmetrize(rotation * dealii::Tensor<2, 3>(motion.stress) * transpose(rotation));
   const Symmetric cauchy = rotated + hooke(constants, stretch.logarithm());
-  const auto moduli = moduli_of([&](const Symmetric& d) {
+  PointResponse response{volume_ratio, volume_ratio * cauchy, {}};
+  if (wanted == Wanted::stress) return response;
+  const LogarithmRate logarithm_rate(stretch);
+  response.moduli = moduli_of([&](const Symmetric& d) {
     return volume_ratio *
-           (trace(d) * cauchy + spun(stretch.rotation_rate(d), rotated) + hooke(constants, stretch.logarithm_rate(d)));
+           (trace(d) * cauchy + spun(stretch.rotation_rate(d), rotated) + hooke(constants, logarithm_rate(d)));
   });
-  return PointResponse{volume_ratio, volume_ratio * cauchy, moduli};
+  return response;
 }
 
 std::optional<PointResponse> hencky(const Elasticity& constants, const dealii::Tensor<2, 3>& gradient,
-                                    double volume_ratio) {
+                                    double volume_ratio, Wanted wanted) {
   const LeftStretch stretch(gradient);
   if (!stretch.regular()) return {};
-  return PointResponse{volume_ratio, hooke(constants, stretch.logarithm()),
-                       moduli_of([&](const Symmetric& d) { return hooke(constants, stretch.logarithm_rate(d)); })};
+  PointResponse response{volume_ratio, hooke(constants, stretch.logarithm()), {}};
+  if (wanted == Wanted::stress) return response;
+  const LogarithmRate logarithm_rate(stretch);
+  response.moduli = moduli_of([&](const Symmetric& d) { return hooke(constants, logarithm_rate(d)); });
+  return response;
 }
 
-PointResponse neo_hookean(const Elasticity& constants, const dealii::Tensor<2, 3>& gradient, double volume_ratio) {
+PointResponse neo_hookean(const Elasticity& constants, const dealii::Tensor<2, 3>& gradient, double volume_ratio,
+                          Wanted wanted) {
   const Symmetric identity = dealii::unit_symmetric_tensor<3>();
   const Symmetric strain = left_strain(gradient);
   const dealii::Tensor<2, 3> b(identity + strain);
   const double lame = constants.lame(), shear = constants.shear_modulus();
-  return {volume_ratio, lame * std::log1p(volume_change(gradient)) * identity + shear * strain,
-          moduli_of([&](const Symmetric& d) {
-            return lame * trace(d) * identity + 2.0 * shear * symmetrize(dealii::Tensor<2, 3>(d) * b);
-          })};
+  PointResponse response{volume_ratio, lame * std::log1p(volume_change(gradient)) * identity + shear * strain, {}};
+  if (wanted == Wanted::stress) return response;
+  response.moduli = moduli_of([&](const Symmetric& d) {
+    return lame * trace(d) * identity + 2.0 * shear * symmetrize(dealii::Tensor<2, 3>(d) * b);
+  });
+  return response;
 }
 
 } // namespace
 
-std::optional<PointResponse> respond(exchange::Law law, const Elasticity& constants, const PointMotion& motion) {
-  const dealii::Tensor<2, 3> gradient = motion.before + motion.increment;
-  const double volume_ratio = 1.0 + volume_change(gradient);
+std::optional<PointResponse> respond(exchange::Law law, const Elasticity& constants, const PointMotion& motion,
+                                     Wanted wanted) {
+  const double volume_ratio = 1.0 + volume_change(motion.after);
   if (!(volume_ratio > 0.0)) return {};
   switch (law) {
   case exchange::Law::rate:
-    return rate(constants, motion, volume_ratio);
+    return rate(constants, motion, volume_ratio, wanted);
   case exchange::Law::hencky:
-    return hencky(constants, gradient, volume_ratio);
+    return hencky(constants, motion.after, volume_ratio, wanted);
   case exchange::Law::neo_hookean:
-    return neo_hookean(constants, gradient, volume_ratio);
+    return neo_hookean(constants, motion.after, volume_ratio, wanted);
   }
   return {};
 }

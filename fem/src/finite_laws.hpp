@@ -16,6 +16,8 @@ namespace settle::fem {
 struct PointMotion {
   dealii::Tensor<2, 3> before;          ///< gradient at the start of the increment
   dealii::Tensor<2, 3> increment;       ///< what the increment adds to it
+  dealii::Tensor<2, 3> after;           ///< their sum. Given, because the next increment has to find the same number
+                                        ///< at its start, also where round-off is all that is left of a stretch
   dealii::SymmetricTensor<2, 3> stress; ///< Cauchy at the start of the increment [Pa]
 };
 
@@ -33,6 +35,9 @@ struct PointResponse {
 ///    adds up logarithmic strain without error where the principal axes stand still.
 ///  - `hencky`: tau = D : (1/2) ln b.
 ///  - `neo-hookean`: tau = lambda ln J I + mu (b - I).
-std::optional<PointResponse> respond(exchange::Law law, const Elasticity& constants, const PointMotion& motion);
+/// Moduli are most of the work: they are zero where only the stress is `wanted`.
+enum class Wanted { stress, stress_and_moduli };
+std::optional<PointResponse> respond(exchange::Law law, const Elasticity& constants, const PointMotion& motion,
+                                     Wanted wanted = Wanted::stress_and_moduli);
 
 } // namespace settle::fem

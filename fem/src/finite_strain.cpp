@@ -19,11 +19,13 @@ template <int dim>
 Motions<dim> motions(const Trial<dim>& trial) {
   const auto before = gradients(trial.values, trial.history.displacement);
   const auto increment = gradients(trial.values, trial.increment);
+  const auto after = gradients(trial.values, trial.displacement());
   const dealii::Tensor<2, dim> identity(dealii::unit_symmetric_tensor<dim>());
   Motions<dim> motions;
   for (std::size_t q = 0; q < before.size(); ++q) {
-    motions.in_space.push_back({in_space<dim>(before[q]), in_space<dim>(increment[q]), trial.history.stress[q]});
-    motions.motion.push_back(identity + before[q] + increment[q]);
+    motions.in_space.push_back(
+        {in_space<dim>(before[q]), in_space<dim>(increment[q]), in_space<dim>(after[q]), trial.history.stress[q]});
+    motions.motion.push_back(identity + after[q]);
   }
   return motions;
 }
@@ -34,7 +36,7 @@ template <int dim>
 auto FiniteStrain<dim>::stress(const Trial<dim>& trial) const -> std::optional<std::vector<Stress>> {
   std::vector<Stress> stress;
   for (const PointMotion& motion : motions(trial).in_space) {
-    const std::optional<PointResponse> response = respond(law_, constants_, motion);
+    const std::optional<PointResponse> response = respond(law_, constants_, motion, Wanted::stress);
     if (!response) return {};
     stress.push_back(response->kirchhoff / response->volume_ratio);
   }

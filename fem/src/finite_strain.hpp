@@ -20,6 +20,7 @@ public:
                                                       const std::vector<Stress>& stress) const override;
   [[nodiscard]] dealii::FullMatrix<double> tangent(const Trial<dim>& trial) const override;
   [[nodiscard]] bool linear() const override { return false; }
+  [[nodiscard]] bool symmetric() const override { return law_ != exchange::Law::rate; }
   [[nodiscard]] std::vector<Measure> measures(const dealii::FEValues<dim>& values,
                                               const CellHistory<dim>& history) const override;
 

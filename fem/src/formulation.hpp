@@ -2,6 +2,8 @@
 /// What distinguishes small from finite strain: how a cell's stress, nodal forces and tangent follow from its motion.
 #pragma once
 
+#include <algorithm>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -19,6 +21,13 @@ struct Trial {
   const dealii::FEValues<dim>& values; ///< on the cell as placed
   const CellHistory<dim>& history;
   std::vector<double> increment; ///< (dofs) of displacement [m]
+
+  /// (dofs) since placement, at the end of the increment [m].
+  [[nodiscard]] std::vector<double> displacement() const {
+    std::vector<double> displacement = history.displacement;
+    std::transform(displacement.begin(), displacement.end(), increment.begin(), displacement.begin(), std::plus<>());
+    return displacement;
+  }
 };
 
 /// How much room the material at a quadrature point takes.
@@ -46,6 +55,8 @@ public:
   [[nodiscard]] virtual dealii::FullMatrix<double> tangent(const Trial<dim>& trial) const = 0;
   /// Whether the tangent is the same in every state, so that once a stage is enough.
   [[nodiscard]] virtual bool linear() const = 0;
+  /// Whether the tangent is symmetric in every state.
+  [[nodiscard]] virtual bool symmetric() const = 0;
   /// (quadrature points) in the accepted state.
   [[nodiscard]] virtual std::vector<Measure> measures(const dealii::FEValues<dim>& values,
                                                       const CellHistory<dim>& history) const = 0;

@@ -53,11 +53,18 @@ dealii::SymmetricTensor<2, 3> LeftStretch::logarithm() const {
   return symmetrize(basis_ * diagonal * transpose(basis_));
 }
 
-dealii::SymmetricTensor<2, 3> LeftStretch::logarithm_rate(const dealii::SymmetricTensor<2, 3>& d) const {
+LogarithmRate::LogarithmRate(const LeftStretch& stretch) : basis_(stretch.basis_) {
+  const std::array<double, 3>& strains = stretch.strains_;
+  for (unsigned i = 0; i < 3; ++i)
+    for (unsigned j = 0; j < 3; ++j)
+      factors_[i][j] = divided_logarithm(strains[i], strains[j]) * (2.0 + strains[i] + strains[j]) / 2.0;
+}
+
+dealii::SymmetricTensor<2, 3> LogarithmRate::operator()(const dealii::SymmetricTensor<2, 3>& d) const {
   dealii::Tensor<2, 3> rate = transpose(basis_) * dealii::Tensor<2, 3>(d) * basis_;
   for (unsigned i = 0; i < 3; ++i)
     for (unsigned j = 0; j < 3; ++j)
-      rate[i][j] *= divided_logarithm(strains_[i], strains_[j]) * (2.0 + strains_[i] + strains_[j]) / 2.0;
+      rate[i][j] *= factors_[i][j];
   return symmetrize(basis_ * rate * transpose(basis_));
 }
 

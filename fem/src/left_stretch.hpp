@@ -28,19 +28,29 @@ public:
 
   /// Hencky's strain e = ln v = (1/2) ln b.
   [[nodiscard]] dealii::SymmetricTensor<2, 3> logarithm() const;
-  /// Its rate (Ogden, Non-linear elastic deformations, 1984, ch. 2.3: divided differences of the logarithm).
-  [[nodiscard]] dealii::SymmetricTensor<2, 3> logarithm_rate(const dealii::SymmetricTensor<2, 3>& d) const;
   /// r = v^-1 F, orthogonal.
   [[nodiscard]] dealii::Tensor<2, 3> rotation() const;
   /// dr r^T, skew; from d v - v d = v (dr r^T) + (dr r^T) v.
   [[nodiscard]] dealii::Tensor<2, 3> rotation_rate(const dealii::SymmetricTensor<2, 3>& d) const;
 
 private:
+  friend class LogarithmRate;
   [[nodiscard]] double stretch(unsigned i) const;
 
   dealii::Tensor<2, 3> motion_;   ///< F
   dealii::Tensor<2, 3> basis_;    ///< columns: unit eigenvectors of b
   std::array<double, 3> strains_; ///< eigenvalues of b - I
+};
+
+/// The rate of Hencky's strain (Ogden, Non-linear elastic deformations, 1984, ch. 2.3: divided differences of the
+/// logarithm). What does not depend on d is found once.
+class LogarithmRate {
+public:
+  explicit LogarithmRate(const LeftStretch& stretch);
+  [[nodiscard]] dealii::SymmetricTensor<2, 3> operator()(const dealii::SymmetricTensor<2, 3>& d) const;
+
+private:
+  dealii::Tensor<2, 3> basis_, factors_;
 };
 
 } // namespace settle::fem

@@ -21,6 +21,7 @@ double Loading::gravity_factor(int layer, const Progress& at) const {
 }
 
 PlanePoint Loading::driving_force(const PlacedPoint& point, const Progress& at) const {
+  const std::lock_guard guard(formulas_in_use_);
   const exchange::FormulaPoint formula_point = this->formula_point(point, at);
   const PlanePoint body = formulas_->body_force(formula_point);
   const double factor = gravity_factor(point.layer, at);
@@ -30,6 +31,7 @@ PlanePoint Loading::driving_force(const PlacedPoint& point, const Progress& at) 
 }
 
 PlanePoint Loading::displacement_in_stage(const PlacedPoint& point, const Progress& at) const {
+  const std::lock_guard guard(formulas_in_use_);
   const PlanePoint now = formulas_->displacement(formula_point(point, at));
   if (!duration_ && point.layer == at.stage) return {at.share * now[0], at.share * now[1]};
   const Progress start = duration_ ? Progress{at.stage, 0.0} : Progress{at.stage - 1, 1.0};

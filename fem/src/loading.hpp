@@ -2,6 +2,7 @@
 /// What loads material points, and how the case says they move.
 #pragma once
 
+#include <mutex>
 #include <optional>
 
 #include "settle/exchange/case.hpp"
@@ -22,7 +23,7 @@ struct PlacedPoint {
   int layer = 1;
 };
 
-/// Gravity, and the case's `[motion]` where it has one. Not to be used by two threads at once.
+/// Gravity, and the case's `[motion]` where it has one. Threads that need its formulas wait for each other.
 class Loading {
 public:
   explicit Loading(const exchange::Case& study);
@@ -44,6 +45,7 @@ public:
 private:
   [[nodiscard]] exchange::FormulaPoint formula_point(const PlacedPoint& point, const Progress& at) const;
 
+  mutable std::mutex formulas_in_use_;
   std::optional<exchange::Formulas> formulas_;
   std::optional<double> duration_; ///< [s]
   bool drives_ = false;

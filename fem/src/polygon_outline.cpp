@@ -46,7 +46,6 @@ PolygonOutline::PolygonOutline(const exchange::Case& study) : slack_(0.0) {
   slack_ = round_off(study.geometry);
   collect(study.geometry);
   require_whole_edges(study);
-  require_gaps_or_contact(study);
   count_parts(study);
 }
 
@@ -84,29 +83,6 @@ void PolygonOutline::require_whole_edges(const exchange::Case& study) const {
                                 .allowed = "parts that touch share whole edges",
                                 .remedy = fmt::format("divide {} there", key_of(i))});
       }
-    }
-}
-
-/// Convex polygons do not overlap if all of one lies on the outer side of an edge of the other (separating axes).
-void PolygonOutline::require_gaps_or_contact(const exchange::Case& study) const {
-  const auto beyond_an_edge = [this](const CornerNumbers& one, const CornerNumbers& other) {
-    for (std::size_t c = 0; c < one.size(); ++c) {
-      const exchange::Support edge = line(corners_[one[c]], corners_[one[(c + 1) % one.size()]]);
-      if (std::all_of(other.begin(), other.end(),
-                      [&](unsigned corner) { return exchange::height_above(edge, corners_[corner]) <= slack_; }))
-        return true;
-    }
-    return false;
-  };
-  for (std::size_t i = 0; i < polygons_.size(); ++i)
-    for (std::size_t j = 0; j < i; ++j) {
-      if (beyond_an_edge(polygons_[i], polygons_[j]) || beyond_an_edge(polygons_[j], polygons_[i])) continue;
-      throw exchange::InputError(
-          exchange::Complaint{.where = study.where(key_of(i) + ".corners"),
-                              .what = fmt::format("{} and {} overlap", key_of(j), key_of(i)),
-                              .given = "material that would be placed twice",
-                              .allowed = "polygons side by side, that share whole edges or nothing",
-                              .remedy = "move the corners of one of them"});
     }
 }
 

@@ -16,8 +16,7 @@ using CornerNumbers = std::vector<unsigned>;
 
 class PolygonOutline {
 public:
-  /// Throws InputError for polygons of more than four corners, where edges are shared in part only, and where polygons
-  /// overlap.
+  /// Throws InputError for polygons of more than four corners, and where edges are shared in part only.
   explicit PolygonOutline(const exchange::Case& study);
 
   /// Each corner once, whatever the number of polygons it belongs to [m].
@@ -33,7 +32,6 @@ private:
   unsigned number_of(const exchange::PlanePoint& corner);
   void collect(const exchange::Geometry& geometry);
   void require_whole_edges(const exchange::Case& study) const;
-  void require_gaps_or_contact(const exchange::Case& study) const;
   void count_parts(const exchange::Case& study);
   std::size_t group_of(const Edge& edge);
   void divide_alike(const Edge& one, const Edge& other);

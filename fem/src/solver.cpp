@@ -4,6 +4,7 @@
 #include <numeric>
 #include <vector>
 
+#include <deal.II/base/multithread_info.h>
 #include <fmt/format.h>
 
 #include "pictures.hpp"
@@ -65,15 +66,21 @@ struct Failure {
   Equilibrium last;
 };
 
+constexpr const char* other_linear_solver =
+    "try the other fem.linear_solver: \"multigrid\" where memory does not suffice, \"direct\" where material is "
+    "next to incompressible";
+
 exchange::NotConverged not_converged(const exchange::Case& study, const Failure& failure) {
   return exchange::NotConverged(exchange::Complaint{
       .where = study.file,
-      .what = fmt::format("no equilibrium in {}{}", failure.where,
-                          failure.halved ? ", an increment halved as often as is tried" : ""),
+      .what = fmt::format("no equilibrium in {}{}{}", failure.where,
+                          failure.halved ? ", an increment halved as often as is tried" : "",
+                          failure.last.linear_solver_gave_up ? ": the linear solver gave up" : ""),
       .given = fmt::format("relative residuals {:.3g}", fmt::join(failure.last.residuals, ", ")),
       .allowed = "",
-      .remedy = failure.halved ? "look for material that cannot carry what is placed on it, or raise fem.increments"
-                               : "look for a Poisson's ratio next to 0.5 or a very fine mesh: both lose digits"});
+      .remedy = failure.last.linear_solver_gave_up ? other_linear_solver
+                : failure.halved ? "look for material that cannot carry what is placed on it, or raise fem.increments"
+                                 : "look for a Poisson's ratio next to 0.5 or a very fine mesh: both lose digits"});
 }
 
 template <int dim>
@@ -161,8 +168,10 @@ private:
   ProbeLines<dim> probes_;
 };
 
+/// deal.II knows one number of threads in a process.
 std::unique_ptr<Solver::Implementation> make_implementation(const exchange::Case& study) {
   require_solvable(study);
+  dealii::MultithreadInfo::set_thread_limit(static_cast<unsigned>(study.fem.threads));
   if (study.geometry.dimension == 3) return std::make_unique<Construction<3>>(study);
   return std::make_unique<Construction<2>>(study);
 }

@@ -2,8 +2,6 @@
 #include <cmath>
 #include <limits>
 
-#include "cell_terms.hpp"
-#include "mesh.hpp"
 #include "staged_problem.hpp"
 
 namespace settle::fem {
@@ -18,6 +16,11 @@ constexpr unsigned linear_solves_allowed = 25;
 constexpr unsigned step_halvings_allowed = 10;
 /// A step has to bring the residual down by this fraction of its own length.
 constexpr double sufficient_decrease = 1e-4;
+/// An iterative solver leaves this share of the forces that a Newton step is to remove. The steps to come have to
+/// correct the step anyway ...
+constexpr double share_left_of_a_step = 1e-6;
+/// ... except where the problem is linear.
+constexpr double share_left_of_the_only_step = 1e-13;
 
 } // namespace
 
@@ -34,7 +37,7 @@ Equilibrium StagedProblem<dim>::solve(double share) {
   Equilibrium equilibrium;
   move_supports(equilibrium);
   equilibrium.residuals = {out_of_balance()};
-  bool goes_on = !inside_out_;
+  bool goes_on = !inside_out_ && !equilibrium.linear_solver_gave_up;
   while (goes_on && equilibrium.out_of_balance() > residual_aimed_at &&
          equilibrium.linear_solves < linear_solves_allowed)
     goes_on = correct_increment(equilibrium);
@@ -50,44 +53,63 @@ void StagedProblem<dim>::move_supports(Equilibrium& equilibrium) {
   if (prescribed.linfty_norm() == 0.0) return;
   dealii::Vector<double> forces = unbalanced_;
   forces -= tangent_times(prescribed);
-  increment_ = newton_step(std::move(forces));
-  increment_ += prescribed;
   ++equilibrium.linear_solves;
+  const std::optional<dealii::Vector<double>> step = newton_step(std::move(forces));
+  equilibrium.linear_solver_gave_up = !step;
+  if (!step) return;
+  increment_ = *step;
+  increment_ += prescribed;
   assemble_unbalanced();
 }
 
-/// One Newton step, halved until the residual falls. Returns false, the increment as it was, where it does not.
+/// One Newton step, halved until the residual falls; what is in equilibrium already is tried once, because it is
+/// round-off that does not fall. Returns false, the increment as it was, where there is no such step.
 template <int dim>
 bool StagedProblem<dim>::correct_increment(Equilibrium& equilibrium) {
-  const dealii::Vector<double> step = newton_step(unbalanced_);
   ++equilibrium.linear_solves;
-  const dealii::Vector<double> start = increment_;
+  const std::optional<dealii::Vector<double>> step = newton_step(unbalanced_);
+  equilibrium.linear_solver_gave_up = !step;
+  if (!step) return false;
+  const dealii::Vector<double> start = increment_, start_unbalanced = unbalanced_;
   const double before = unbalanced_force();
+  const unsigned halvings_allowed = equilibrium.reached() ? 0 : step_halvings_allowed;
   double length = 1.0;
-  for (unsigned halvings = 0; halvings <= step_halvings_allowed; ++halvings, length /= 2.0) {
+  for (unsigned halvings = 0; halvings <= halvings_allowed; ++halvings, length /= 2.0) {
     increment_ = start;
-    increment_.add(length, step);
+    increment_.add(length, *step);
     assemble_unbalanced();
     if (inside_out_ || unbalanced_force() > (1.0 - sufficient_decrease * length) * before) continue;
     equilibrium.residuals.push_back(out_of_balance());
     return true;
   }
   increment_ = start;
-  assemble_unbalanced();
+  unbalanced_ = start_unbalanced;
+  inside_out_ = false;
   return false;
 }
 
-/// The displacement that these forces cause by the tangent, where nothing that is held moves.
+/// The displacement that these forces cause by the tangent, where nothing that is held moves; nothing where the linear
+/// solver does not find it.
 template <int dim>
-dealii::Vector<double> StagedProblem<dim>::newton_step(dealii::Vector<double> forces) {
-  if (!factorized_ || !formulation_->linear()) factorize_tangent();
+std::optional<dealii::Vector<double>> StagedProblem<dim>::newton_step(dealii::Vector<double> forces) {
+  if (!prepared_ || !formulation_->linear()) {
+    assemble_tangent();
+    linear_solver_->prepare(tangent_);
+    prepared_ = true;
+  }
   standing_.set_zero(forces);
-  inverse_.solve(forces);
-  standing_.distribute(forces);
-  return forces;
+  std::optional<dealii::Vector<double>> step = linear_solver_->solve(forces, linear_tolerance(forces));
+  if (step) standing_.distribute(*step);
+  return step;
 }
 
-/// At degrees of freedom that follow the motion; zero elsewhere.
+/// What an iterative solver may leave of these forces [N]: no digits that the increment does not need.
+template <int dim>
+double StagedProblem<dim>::linear_tolerance(const dealii::Vector<double>& forces) const {
+  const double share = formulation_->linear() ? share_left_of_the_only_step : share_left_of_a_step;
+  return std::max(share * forces.l2_norm(), residual_aimed_at / 2.0 * std::max(load(), largest_load_));
+}
+
 template <int dim>
 dealii::Vector<double> StagedProblem<dim>::prescribed_increment() const {
   dealii::Vector<double> prescribed(dofs_.n_dofs());
@@ -97,86 +119,6 @@ dealii::Vector<double> StagedProblem<dim>::prescribed_increment() const {
                             loading_.displacement_in_stage(dof.point, reached_)[dof.axis];
   }
   return prescribed;
-}
-
-/// Forces at all degrees of freedom, by the tangent in the state of the increment as it is.
-template <int dim>
-dealii::Vector<double> StagedProblem<dim>::tangent_times(const dealii::Vector<double>& increment) const {
-  dealii::Vector<double> forces(dofs_.n_dofs());
-  dealii::FEValues<dim> values = cell_values();
-  std::vector<dealii::types::global_dof_index> indices(element().n_dofs_per_cell());
-  dealii::Vector<double> at_cell(element().n_dofs_per_cell()), force(element().n_dofs_per_cell());
-  for (const Cell& cell : placed_cells()) {
-    cell->get_dof_values(increment, at_cell);
-    if (at_cell.linfty_norm() == 0.0) continue;
-    values.reinit(cell);
-    cell->get_dof_indices(indices);
-    formulation_->tangent(trial_of(cell, values)).vmult(force, at_cell);
-    forces.add(indices, force);
-  }
-  return forces;
-}
-
-template <int dim>
-void StagedProblem<dim>::factorize_tangent() {
-  tangent_ = 0.0;
-  dealii::FEValues<dim> values = cell_values();
-  std::vector<dealii::types::global_dof_index> indices(element().n_dofs_per_cell());
-  for (const Cell& cell : placed_cells()) {
-    values.reinit(cell);
-    cell->get_dof_indices(indices);
-    standing_.distribute_local_to_global(formulation_->tangent(trial_of(cell, values)), indices, tangent_);
-  }
-  inverse_.initialize(tangent_);
-  factorized_ = true;
-}
-
-/// Of the material as placed: mass is what gravity and the motion act on, and it stays.
-template <int dim>
-auto StagedProblem<dim>::force_per_volume(const Cell& cell, const dealii::FEValues<dim>& values) const
-    -> std::vector<dealii::Tensor<1, dim>> {
-  dealii::Tensor<1, dim> weight;
-  weight[dim - 1] = -density_ * gravity_ * loading_.gravity_factor(layer_of(cell), target_);
-  std::vector<dealii::Tensor<1, dim>> forces(values.n_quadrature_points, weight);
-  if (!loading_.drives()) return forces;
-  for (const unsigned q : values.quadrature_point_indices()) {
-    const dealii::Point<dim>& position = values.quadrature_point(q);
-    const exchange::PlanePoint driving = loading_.driving_force({{position[0], position[1]}, layer_of(cell)}, target_);
-    for (unsigned axis = 0; axis < 2; ++axis)
-      forces[q][axis] += density_ * driving[axis];
-  }
-  return forces;
-}
-
-template <int dim>
-void StagedProblem<dim>::assemble_external() {
-  external_ = 0.0;
-  dealii::FEValues<dim> values = cell_values(load_quadrature_);
-  std::vector<dealii::types::global_dof_index> indices(element().n_dofs_per_cell());
-  for (const Cell& cell : placed_cells()) {
-    values.reinit(cell);
-    cell->get_dof_indices(indices);
-    external_.add(indices, body_force(values, force_per_volume(cell, values)));
-  }
-}
-
-template <int dim>
-void StagedProblem<dim>::assemble_unbalanced() {
-  unbalanced_ = external_;
-  inside_out_ = false;
-  dealii::FEValues<dim> values = cell_values();
-  std::vector<dealii::types::global_dof_index> indices(element().n_dofs_per_cell());
-  for (const Cell& cell : placed_cells()) {
-    values.reinit(cell);
-    cell->get_dof_indices(indices);
-    const Trial<dim> trial = trial_of(cell, values);
-    const auto stress = formulation_->stress(trial);
-    inside_out_ = inside_out_ || !stress;
-    if (!stress) continue;
-    dealii::Vector<double> force = formulation_->internal_force(trial, *stress);
-    force *= -1.0;
-    unbalanced_.add(indices, force);
-  }
 }
 
 /// At free degrees of freedom [N].

@@ -11,6 +11,7 @@
 
 #include "finite_strain.hpp"
 #include "mesh.hpp"
+#include "rigid_motions.hpp"
 #include "small_strain.hpp"
 
 namespace settle::fem {
@@ -59,7 +60,7 @@ dealii::Quadrature<dim> load_quadrature(const dealii::QGauss<dim>& quadrature, c
 
 template <int dim>
 StagedProblem<dim>::StagedProblem(const exchange::Case& study)
-    : constants_{study.fill().youngs_modulus, study.fill().poissons_ratio},
+    : choice_(study.fem.linear_solver), constants_{study.fill().youngs_modulus, study.fill().poissons_ratio},
       formulation_(make_formulation<dim>(study, constants_)), density_(study.fill().density), gravity_(study.gravity),
       loading_(study), supports_(study), elements_(elements_for<dim>(degree_of(study.fem.element))),
       quadrature_(degree_of(study.fem.element) + 1), load_quadrature_(load_quadrature(quadrature_, loading_)),
@@ -84,31 +85,7 @@ void StagedProblem<dim>::activate(int layer) {
   geometry_.update(mesh_, history_);
   distribute_dofs();
   fix_supports();
-  factorized_ = false;
-}
-
-template <int dim>
-void StagedProblem<dim>::accept() {
-  dealii::FEValues<dim> values = cell_values();
-  for (const Cell& cell : placed_cells()) {
-    values.reinit(cell);
-    const Trial<dim> trial = trial_of(cell, values);
-    CellHistory<dim>& history = history_.of(cell);
-    history.stress = formulation_->stress(trial).value();
-    std::transform(trial.increment.begin(), trial.increment.end(), history.displacement.begin(),
-                   history.displacement.begin(), std::plus<>());
-  }
-  reached_ = target_;
-  largest_load_ = std::max(largest_load_, load());
-  increment_ = 0.0;
-}
-
-template <int dim>
-auto StagedProblem<dim>::placed_cells() const -> std::vector<Cell> {
-  std::vector<Cell> cells;
-  for (const Cell& cell : dofs_.active_cell_iterators())
-    if (history_.of(cell).placed()) cells.push_back(cell);
-  return cells;
+  choose_linear_solver();
 }
 
 template <int dim>
@@ -141,6 +118,9 @@ Trial<dim> StagedProblem<dim>::trial_of(const Cell& cell, const dealii::FEValues
 template <int dim>
 void StagedProblem<dim>::distribute_dofs() {
   dofs_.distribute_dofs(elements_);
+  placed_.clear();
+  for (const Cell& cell : dofs_.active_cell_iterators())
+    if (history_.of(cell).placed()) placed_.push_back(cell);
   increment_.reinit(dofs_.n_dofs());
   external_.reinit(dofs_.n_dofs());
   unbalanced_.reinit(dofs_.n_dofs());
@@ -159,6 +139,24 @@ void StagedProblem<dim>::fix_supports() {
   tangent_.clear();
   sparsity_.copy_from(pattern);
   tangent_.reinit(sparsity_);
+}
+
+/// Factors of a block grow so fast with its mesh that, but for a few cells, multigrid is faster; in the plane they do
+/// not.
+template <int dim>
+void StagedProblem<dim>::choose_linear_solver() {
+  prepared_ = false;
+  constexpr unsigned few = 3000; // degrees of freedom: both take about as long
+  const bool multigrid = choice_ == exchange::FemLinearSolver::multigrid ||
+                         (choice_ == exchange::FemLinearSolver::automatic && dim == 3 && dofs_.n_dofs() > few);
+  if (!multigrid) {
+    linear_solver_ = make_direct_solver();
+    return;
+  }
+  linear_solver_ =
+      make_multigrid_solver({.rigid_motions = rigid_motions(placed_, geometry_.mapping(), element(), held_),
+                             .dimension = dim,
+                             .symmetric = formulation_->symmetric()});
 }
 
 template class StagedProblem<2>;

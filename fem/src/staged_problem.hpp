@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -11,13 +12,13 @@
 #include <deal.II/grid/tria.h>
 #include <deal.II/hp/fe_collection.h>
 #include <deal.II/lac/affine_constraints.h>
-#include <deal.II/lac/sparse_direct.h>
 #include <deal.II/lac/sparse_matrix.h>
 #include <deal.II/lac/vector.h>
 
 #include "elasticity.hpp"
 #include "formulation.hpp"
 #include "history.hpp"
+#include "linear_solver.hpp"
 #include "loading.hpp"
 #include "placement.hpp"
 #include "settle/exchange/case.hpp"
@@ -31,6 +32,7 @@ struct Equilibrium {
                                  ///< they are moved to, and after each further solve; infinite where a point would be
                                  ///< turned inside out [-]
   unsigned linear_solves = 0;
+  bool linear_solver_gave_up = false;
   double base_reaction = 0; ///< of all that is held vertically, positive upward [N/m or N]
 
   [[nodiscard]] double out_of_balance() const { return residuals.back(); }
@@ -68,7 +70,7 @@ public:
   [[nodiscard]] double gravity() const { return gravity_; }
   [[nodiscard]] const Loading& loading() const { return loading_; }
   /// Cells placed so far.
-  [[nodiscard]] std::vector<Cell> placed_cells() const;
+  [[nodiscard]] const std::vector<Cell>& placed_cells() const { return placed_; }
   /// Of a layer that is placed [kg/m or kg].
   [[nodiscard]] double mass(int layer) const;
 
@@ -79,8 +81,9 @@ private:
 
   void distribute_dofs();
   void fix_supports();
+  void choose_linear_solver();
 
-  void factorize_tangent();
+  void assemble_tangent();
   void assemble_external();
   void assemble_unbalanced();
   [[nodiscard]] std::vector<dealii::Tensor<1, dim>> force_per_volume(const Cell& cell,
@@ -89,12 +92,14 @@ private:
   [[nodiscard]] dealii::Vector<double> tangent_times(const dealii::Vector<double>& increment) const;
   void move_supports(Equilibrium& equilibrium);
   bool correct_increment(Equilibrium& equilibrium);
-  [[nodiscard]] dealii::Vector<double> newton_step(dealii::Vector<double> forces);
+  [[nodiscard]] std::optional<dealii::Vector<double>> newton_step(dealii::Vector<double> forces);
+  [[nodiscard]] double linear_tolerance(const dealii::Vector<double>& forces) const;
   [[nodiscard]] double unbalanced_force() const;
   [[nodiscard]] double load() const;
   [[nodiscard]] double out_of_balance() const;
   [[nodiscard]] double base_reaction() const;
 
+  exchange::FemLinearSolver choice_;
   Elasticity constants_;
   std::unique_ptr<Formulation<dim>> formulation_;
   double density_; ///< [kg/m3]
@@ -109,6 +114,7 @@ private:
   dealii::QGauss<dim> quadrature_;
   dealii::Quadrature<dim> load_quadrature_; ///< for external forces
   dealii::DoFHandler<dim> dofs_;
+  std::vector<Cell> placed_;
   History<dim> history_;
   PlacedGeometry<dim> geometry_;
 
@@ -116,12 +122,12 @@ private:
   dealii::AffineConstraints<double> standing_; ///< all that is held stays where it is
   dealii::SparsityPattern sparsity_;
   dealii::SparseMatrix<double> tangent_;
-  dealii::SparseDirectUMFPACK inverse_;
-  dealii::Vector<double> increment_;  ///< nodal displacement since the last `accept` [m]
-  dealii::Vector<double> external_;   ///< forces at all degrees of freedom [N]
-  dealii::Vector<double> unbalanced_; ///< external minus internal forces at all degrees of freedom [N]
-  bool inside_out_ = false;           ///< the increment has no stress
-  bool factorized_ = false;           ///< since a layer was placed
+  std::unique_ptr<LinearSolver> linear_solver_; ///< for the layers placed so far
+  dealii::Vector<double> increment_;            ///< nodal displacement since the last `accept` [m]
+  dealii::Vector<double> external_;             ///< forces at all degrees of freedom [N]
+  dealii::Vector<double> unbalanced_;           ///< external minus internal forces at all degrees of freedom [N]
+  bool inside_out_ = false;                     ///< the increment has no stress
+  bool prepared_ = false;                       ///< the linear solver, since a layer was placed
 };
 
 } // namespace settle::fem

@@ -25,6 +25,7 @@ int main(int argc, char** argv) {
        .declare_options = {},
        .check = check,
        .used = settle::mpm::used,
+       .threads = settle::mpm::threads,
        .solve = settle::mpm::solve},
       argc, argv);
 }

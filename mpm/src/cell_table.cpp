@@ -42,6 +42,7 @@ void sort_by_cell(const Space& space, Points<Space::dim>& points, CellTable& tab
   for (std::uint32_t p = 0; p < points.size(); ++p)
     order[next[static_cast<std::size_t>(points.cell[p])]++] = p;
   points.permute(order);
+  ++table.sorts;
 }
 
 #define SETTLE_INSTANTIATE(Space) template void sort_by_cell(const Space&, Points<Space::dim>&, CellTable&);

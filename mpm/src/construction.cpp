@@ -15,8 +15,11 @@ namespace {
 
 template <int dim>
 PointLayout<dim> layout_of(const exchange::Case& study) {
-  if constexpr (dim == 2)
+  if constexpr (dim == 2) {
     if (study.mpm.element == exchange::MpmElement::triangle) return triangle_layout();
+  } else {
+    if (study.mpm.element == exchange::MpmElement::tetrahedron) return tetrahedron_layout();
+  }
   return lattice_layout<dim>(static_cast<int>(std::lround(std::pow(*study.mpm.points_per_element, 1.0 / dim))));
 }
 

@@ -7,6 +7,7 @@
 #include "settle/mpm/explicit_step.hpp"
 #include "settle/mpm/loading.hpp"
 #include "settle/mpm/spaces.hpp"
+#include "settle/mpm/viscous_damping.hpp"
 
 namespace settle::mpm {
 
@@ -26,22 +27,35 @@ struct Errors {
 template <class Space>
 class Run {
 public:
-  Run(Body<Space>& body, const StageLoad& load, const exchange::ExplicitDynamic& settings)
-      : body_(body), load_(load), settings_(settings), nodes_(static_cast<std::size_t>(body.space.n_nodes())) {}
+  Run(Body<Space>& body, const StageLoad& load, const exchange::ExplicitDynamic& settings, int threads)
+      : body_(body), load_(load), settings_(settings), step_(body, threads), viscous_(settings.damping) {}
 
   /// One step, not beyond `dt_max`, with the layer's gravity at `factor`. Returns its length [s].
   double advance(double dt_max, double factor) {
-    const Gravity gravity = load_.at(factor);
-    const double dt = std::min(dt_max, stable_time_step(body_, settings_.courant));
-    scatter_points(body_, gravity, nodes_);
-    sums_ = update_nodes(body_, settings_.damping, nodes_);
-    update_velocity_and_remap(body_, dt, nodes_);
-    const StepEnergy energy = update_stress_and_move(body_, gravity, dt, nodes_);
-    external_work_ += energy.external_work;
-    kinetic_ = energy.kinetic;
-    ++steps_;
-    return dt;
+    step_.scatter(load_.at(factor));
+    return finish_step(dt_max);
   }
+  /// The same, after what is due has been refilled.
+  double refill_and_advance(double dt_max, double factor) {
+    const Gravity gravity = load_.at(factor);
+    step_.scatter(gravity);
+    if (refill_may_be_due(body_, load_.refill, step_.column_heights())) {
+      step_.gather();
+      refill_where_due(body_, load_.refill);
+      step_.scatter(gravity);
+    }
+    return finish_step(dt_max);
+  }
+  int refill() {
+    step_.gather();
+    return refill_where_due(body_, load_.refill);
+  }
+  int close() {
+    step_.gather();
+    return close_gap(body_, load_.refill);
+  }
+  /// Hands the body over to others.
+  void end() { step_.gather(); }
 
   [[nodiscard]] Errors errors() const {
     return {.force = sums_.unbalanced / sums_.external, .energy = kinetic_ / std::abs(external_work_)};
@@ -54,14 +68,40 @@ public:
             .in_equilibrium = errors().met(settings_)};
   }
 
+  [[nodiscard]] bool relaxes() const { return settings_.relaxation == exchange::Relaxation::viscous; }
+
 private:
   Body<Space>& body_;
   const StageLoad& load_;
   const exchange::ExplicitDynamic& settings_;
-  Nodes<Space::dim> nodes_;
+  ExplicitStep<Space> step_;
+  ViscousDamping<Space::dim> viscous_;
   ForceSums sums_;
   double external_work_ = 0, kinetic_ = 0;
   std::int64_t steps_ = 0;
+
+  StepEnergy step(double dt) {
+    sums_ = step_.accelerate(settings_.damping);
+    const StepEnergy energy = step_.displace(dt, dt);
+    step_.move();
+    return energy;
+  }
+  StepEnergy relax(double dt) {
+    viscous_.know_forces(step_.nodes());
+    sums_ = step_.accelerate(0.0);
+    const StepEnergy energy = step_.displace(viscous_.kick(dt), dt, viscous_.kept(dt));
+    viscous_.know_displacements(step_.nodes());
+    step_.move();
+    return energy;
+  }
+  double finish_step(double dt_max) {
+    const double dt = std::min(dt_max, step_.stable_time_step(settings_.courant));
+    const StepEnergy energy = relaxes() ? relax(dt) : step(dt);
+    external_work_ += energy.external_work;
+    kinetic_ = energy.kinetic;
+    ++steps_;
+    return dt;
+  }
 };
 
 [[noreturn]] void give_up(const StageLoad& load, const exchange::ExplicitDynamic& settings, const Errors& errors) {
@@ -73,22 +113,24 @@ private:
        .remedy = "raise mpm.explicit.max_hold_time or ramp_time, or use mpm.integration = \"mixed\""});
 }
 
-template <class Space>
-void ramp(Run<Space>& run, Body<Space>& body, const StageLoad& load, double ramp_time) {
-  for (double time = 0; time < ramp_time;) {
-    const double left = ramp_time - time;
-    time += run.advance(left, std::min(1.0, time / ramp_time));
-    refill_where_due(body, load.refill);
-  }
+/// Steps for a given time, refilled after each of them; `factor(time)`: of the layer's gravity.
+template <class Space, class Factor>
+void advance_for(Run<Space>& run, double duration, Factor&& factor) {
+  double time = 0;
+  if (time < duration) time += run.advance(duration, factor(0.0));
+  while (time < duration)
+    time += run.refill_and_advance(duration - time, factor(time));
+  run.refill();
 }
 
 template <class Space>
-void hold_until_equilibrium(Run<Space>& run, Body<Space>& body, const StageLoad& load,
-                            const exchange::ExplicitDynamic& settings) {
+void hold_until_equilibrium(Run<Space>& run, const StageLoad& load, const exchange::ExplicitDynamic& settings) {
   for (double time = 0; time < settings.max_hold_time;) {
-    time += run.advance(settings.max_hold_time, 1.0);
+    const bool refills = run.relaxes() && time > 0;
+    time += refills ? run.refill_and_advance(settings.max_hold_time, 1.0) : run.advance(settings.max_hold_time, 1.0);
     if (!run.errors().met(settings)) continue;
-    if (close_gap(body, load.refill) == 0) return;
+    if (run.relaxes()) run.refill();
+    if (run.close() == 0) return;
     time = 0;
   }
   give_up(load, settings, run.errors());
@@ -97,22 +139,21 @@ void hold_until_equilibrium(Run<Space>& run, Body<Space>& body, const StageLoad&
 } // namespace
 
 template <class Space>
-StageReport load_explicit(Body<Space>& body, const StageLoad& load, const exchange::ExplicitDynamic& settings) {
-  Run<Space> run(body, load, settings);
-  ramp(run, body, load, settings.ramp_time);
-  if (!settings.hold) {
-    hold_until_equilibrium(run, body, load, settings);
-    return run.report();
-  }
-  for (double time = 0; time < *settings.hold;) {
-    time += run.advance(*settings.hold - time, 1.0);
-    refill_where_due(body, load.refill);
-  }
+StageReport load_explicit(Body<Space>& body, const StageLoad& load, const exchange::ExplicitDynamic& settings,
+                          int threads) {
+  Run<Space> run(body, load, settings, threads);
+  if (const auto ramp = settings.ramp_time)
+    advance_for(run, *ramp, [&](double time) { return std::min(1.0, time / *ramp); });
+  if (settings.hold)
+    advance_for(run, *settings.hold, [](double) { return 1.0; });
+  else
+    hold_until_equilibrium(run, load, settings);
+  run.end();
   return run.report();
 }
 
 #define SETTLE_INSTANTIATE(Space)                                                                                      \
-  template StageReport load_explicit(Body<Space>&, const StageLoad&, const exchange::ExplicitDynamic&);
+  template StageReport load_explicit(Body<Space>&, const StageLoad&, const exchange::ExplicitDynamic&, int);
 SETTLE_FOR_EVERY_SPACE(SETTLE_INSTANTIATE)
 
 } // namespace settle::mpm

@@ -20,20 +20,19 @@ void start(const Drive& drive, Body<Space>& body) {
 } // namespace
 
 template <class Space>
-StageReport run_motion(Body<Space>& body, const StageLoad& load, double courant) {
+StageReport run_motion(Body<Space>& body, const StageLoad& load, double courant, int threads) {
   const Drive& drive = *load.drive;
-  Nodes<Space::dim> nodes(static_cast<std::size_t>(body.space.n_nodes()));
   StageReport report;
   start(drive, body);
+  ExplicitStep<Space> step(body, threads);
   double time = 0, last_step = 0;
   while (time < drive.duration()) {
     const double left = drive.duration() - time;
-    const double dt = left / std::ceil(left / stable_time_step(body, courant));
-    const Gravity gravity = drive.gravity_at(load.layer, time / drive.duration());
-    scatter_points(body, gravity, nodes);
-    const ForceSums sums = update_nodes(body, 0.0, nodes);
-    update_velocity_and_remap(body, 0.5 * (last_step + dt), nodes);
-    update_stress_and_move(body, {.acceleration = 0.0}, dt, nodes); // the work done is of no interest
+    step.scatter(drive.gravity_at(load.layer, time / drive.duration()));
+    const double dt = left / std::ceil(left / step.stable_time_step(courant));
+    const ForceSums sums = step.accelerate(0.0);
+    step.displace(0.5 * (last_step + dt), dt);
+    step.move();
     time += dt;
     last_step = dt;
     ++report.steps;
@@ -41,10 +40,11 @@ StageReport run_motion(Body<Space>& body, const StageLoad& load, double courant)
     report.out_of_balance = sums.external > 0 ? sums.unbalanced / sums.external : 0.0;
     if (left <= dt) break; // the last step: what is left of the time is round-off
   }
+  step.gather();
   return report;
 }
 
-#define SETTLE_INSTANTIATE(Space) template StageReport run_motion(Body<Space>&, const StageLoad&, double);
+#define SETTLE_INSTANTIATE(Space) template StageReport run_motion(Body<Space>&, const StageLoad&, double, int);
 SETTLE_FOR_EVERY_PLANE_SPACE(SETTLE_INSTANTIATE)
 
 } // namespace settle::mpm

@@ -1,8 +1,9 @@
 #include "settle/mpm/point_layout.hpp"
 
+#include <cmath>
 #include <numeric>
 
-#include "settle/mpm/square_grid.hpp"
+#include "settle/mpm/tetrahedron_space.hpp"
 
 namespace settle::mpm {
 
@@ -18,6 +19,20 @@ PointLayout<2> triangle_layout() {
   for (const auto& position : lower)
     upper.emplace_back(Vector<2>::Ones() - position);
   return {.cells = {lower, upper}, .row_height = 1.0 / 6.0, .row_points = 2};
+}
+
+PointLayout<3> tetrahedron_layout() {
+  const double far = (5.0 - std::sqrt(5.0)) / 20.0, near = 1.0 - 3.0 * far;
+  PointLayout<3> layout{.cells = {}, .row_height = far, .row_points = 2};
+  for (const PerAxis<int, 3>& order : TetrahedronSpace::orders) {
+    auto& positions = layout.cells.emplace_back();
+    for (int nearest = 0; nearest < 4; ++nearest) {
+      Vector<3>& position = positions.emplace_back(Vector<3>::Zero());
+      for (int k = 0; k < 3; ++k) // of the nodes after node k, which lie beyond the edge along this axis
+        position[order[static_cast<std::size_t>(k)]] = (3 - k) * far + (nearest > k ? near - far : 0.0);
+    }
+  }
+  return layout;
 }
 
 template <int dim>

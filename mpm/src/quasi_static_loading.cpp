@@ -50,7 +50,7 @@ void balance(Body<Space>& body, QuasiStaticStep<Space>& step, const StageLoad& l
 
 template <class Space>
 StageReport load_quasi_static(Body<Space>& body, const StageLoad& load, const exchange::QuasiStatic& settings) {
-  QuasiStaticStep<Space> step(settings.residual);
+  QuasiStaticStep<Space> step(settings.residual, settings.linear_solver.value_or(exchange::MpmLinearSolver::direct));
   StageReport stage;
   const auto share = [&](int increment) { return static_cast<double>(increment) / settings.increments; };
   for (int increment = 1; increment <= settings.increments; ++increment) {

@@ -2,13 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-
-#include <Eigen/SparseLU>
+#include <type_traits>
 
 #include "cell_gradients.hpp"
 #include "constitutive_update.hpp"
 #include "settle/mpm/nodal_forces.hpp"
 #include "settle/mpm/spaces.hpp"
+#include "tangent_matrix.hpp"
+#include "tangent_solver.hpp"
 
 namespace settle::mpm {
 
@@ -16,32 +17,47 @@ namespace {
 
 constexpr int max_iterations = 25;
 
-/// Equation numbers of the free degrees of freedom of nodes that points touch; -1 elsewhere.
-struct Numbering {
-  std::vector<int> cell_nodes; ///< of every occupied cell, one after the other: they make the matrix's pattern
-  std::vector<int> equation;   ///< dim * node + direction -> row
-  int size = 0;
+/// How exactly the next linear system is solved, relative to its right side: with a tenth of the residual, a share
+/// of the load, Newton's iteration stays quadratic (Dembo, Eisenstat & Steihaug 1982).
+double linear_tolerance(double residual) {
+  return std::clamp(0.1 * residual, 1e-13, 0.01);
+}
 
-  bool operator==(const Numbering&) const = default;
+/// Equation numbers of the free degrees of freedom of nodes that points touch.
+struct Numbering {
+  std::vector<int> equation; ///< dim * node + direction -> row; -1 where nothing is free
+  CellEquations cells;       ///< of the occupied cells, in their order
 };
+
+/// Nodes of the occupied cells, cell by cell; `begin` as in CellEquations, for degrees of freedom.
+template <class Space>
+std::vector<int> nodes_of_cells(const Body<Space>& body, std::vector<std::size_t>& begin) {
+  std::vector<int> nodes;
+  begin.assign(1, 0);
+  for (const int cell : body.cells.occupied) {
+    const CellGradients<Space> cell_gradients(body, cell);
+    for (int i = 0; i < cell_gradients.n_nodes(); ++i)
+      nodes.push_back(cell_gradients.node(i));
+    begin.push_back(Space::dim * nodes.size());
+  }
+  return nodes;
+}
 
 template <class Space>
 Numbering number_unknowns(const Body<Space>& body) {
   constexpr int dim = Space::dim;
   Numbering numbering;
   numbering.equation.assign(static_cast<std::size_t>(dim * body.space.n_nodes()), -1);
-  for (const int cell : body.cells.occupied) {
-    const CellGradients<Space> cell_gradients(body, cell);
-    for (int i = 0; i < cell_gradients.n_nodes(); ++i)
-      numbering.cell_nodes.push_back(cell_gradients.node(i));
-    numbering.cell_nodes.push_back(-1); // ends the cell
-  }
-  for (const int node : numbering.cell_nodes)
-    for (int c = 0; node >= 0 && c < dim; ++c)
+  const std::vector<int> nodes = nodes_of_cells(body, numbering.cells.begin);
+  for (const int node : nodes)
+    for (int c = 0; c < dim; ++c)
       if (!body.fixed[static_cast<std::size_t>(node)][static_cast<std::size_t>(c)])
         numbering.equation[static_cast<std::size_t>(dim * node + c)] = 0;
   for (int& equation : numbering.equation)
-    if (equation == 0) equation = numbering.size++;
+    if (equation == 0) equation = numbering.cells.size++;
+  for (const int node : nodes)
+    for (int c = 0; c < dim; ++c)
+      numbering.cells.rows.push_back(numbering.equation[static_cast<std::size_t>(dim * node + c)]);
   return numbering;
 }
 
@@ -56,12 +72,17 @@ IncrementalKinematics<Space::dim> kinematics_of(const CellGradients<Space>& cell
   return IncrementalKinematics<dim>(gradient);
 }
 
+/// A square matrix, on the stack where it is small enough.
+template <int size>
+using SquareMatrix = std::conditional_t<size * size * sizeof(double) <= EIGEN_STACK_ALLOCATION_LIMIT,
+                                        Eigen::Matrix<double, size, size>, Eigen::MatrixXd>;
+
 /// Internal forces of one cell at the end of the increment and their derivative; the first dim * n_nodes() entries.
 template <class Space>
 struct CellContribution {
   static constexpr int max_dofs = Space::dim * Space::max_nodes;
   Eigen::Matrix<double, max_dofs, 1> force = Eigen::Matrix<double, max_dofs, 1>::Zero();
-  Eigen::Matrix<double, max_dofs, max_dofs> tangent = Eigen::Matrix<double, max_dofs, max_dofs>::Zero();
+  SquareMatrix<max_dofs> tangent = SquareMatrix<max_dofs>::Zero(max_dofs, max_dofs);
 };
 
 /// Adds the force f_i = v J sigma g_i of a patch with current gradients g = F^-T (gradients at the start), and its
@@ -112,26 +133,29 @@ void move_points(Body<Space>& body, const Eigen::VectorXd& displacement) {
 
 } // namespace
 
-/// The linear system, kept between increments for its symbolic analysis.
+/// The linear system, kept between increments for its pattern and its factorisation.
 template <class Space>
 struct QuasiStaticStep<Space>::System {
   static constexpr int dim = Space::dim;
 
-  Numbering numbering;
-  Eigen::SparseLU<Eigen::SparseMatrix<double>> solver;
-  std::vector<Eigen::Triplet<double>> triplets;
+  std::vector<int> equation; ///< as in Numbering
+  TangentMatrix tangent;
+  TangentSolver solver;
+
+  explicit System(exchange::MpmLinearSolver kind) : solver(kind) {}
 
   void renumber(const Body<Space>& body) {
-    Numbering fresh = number_unknowns(body);
-    analysed_ = analysed_ && fresh == numbering;
-    numbering = std::move(fresh);
+    Numbering numbering = number_unknowns(body);
+    equation = std::move(numbering.equation);
+    if (tangent.set_pattern(std::move(numbering.cells))) solver.forget();
   }
 
-  /// Internal forces at `displacement`, and the tangent's entries; false if a point turns inside out.
+  /// Internal forces at `displacement`, and the tangent; false if a point turns inside out.
   bool assemble(const Body<Space>& body, const Eigen::VectorXd& displacement, Eigen::VectorXd& internal) {
     internal.setZero();
-    triplets.clear();
+    tangent.set_zero();
     bool sound = true;
+    std::size_t number = 0;
     for (const int cell : body.cells.occupied) {
       const CellGradients<Space> cell_gradients(body, cell);
       CellContribution<Space> sum;
@@ -141,57 +165,30 @@ struct QuasiStaticStep<Space>::System {
         if (sound) add_patch(body, cell_gradients, patch, kinematics, sum);
       });
       if (!sound) return false;
-      scatter(cell_gradients, sum, internal);
+      for (int i = 0; i < cell_gradients.n_nodes(); ++i)
+        internal.template segment<dim>(dim * cell_gradients.node(i)) += sum.force.template segment<dim>(dim * i);
+      tangent.add(number++, sum.tangent);
     }
     return true;
   }
 
-  /// Solves tangent * step = residual; false if the matrix is singular.
-  bool solve(const Eigen::VectorXd& residual, Eigen::VectorXd& step) {
-    Eigen::SparseMatrix<double> matrix(numbering.size, numbering.size);
-    matrix.setFromTriplets(triplets.begin(), triplets.end());
-    if (!analysed_) solver.analyzePattern(matrix);
-    analysed_ = true;
-    solver.factorize(matrix);
-    if (solver.info() != Eigen::Success) return false;
-    step = solver.solve(residual);
-    return step.allFinite();
-  }
-
   /// The entries of a full nodal vector at the free degrees of freedom.
   [[nodiscard]] Eigen::VectorXd free_part(const Eigen::VectorXd& full) const {
-    Eigen::VectorXd part(numbering.size);
-    for (std::size_t dof = 0; dof < numbering.equation.size(); ++dof)
-      if (const int row = numbering.equation[dof]; row >= 0) part[row] = full[static_cast<Eigen::Index>(dof)];
+    Eigen::VectorXd part(tangent.size());
+    for (std::size_t dof = 0; dof < equation.size(); ++dof)
+      if (const int row = equation[dof]; row >= 0) part[row] = full[static_cast<Eigen::Index>(dof)];
     return part;
   }
 
   void add_to_free(const Eigen::VectorXd& step, Eigen::VectorXd& full) const {
-    for (std::size_t dof = 0; dof < numbering.equation.size(); ++dof)
-      if (const int row = numbering.equation[dof]; row >= 0) full[static_cast<Eigen::Index>(dof)] += step[row];
-  }
-
-private:
-  bool analysed_ = false;
-
-  void scatter(const CellGradients<Space>& cell, const CellContribution<Space>& sum, Eigen::VectorXd& internal) {
-    for (int i = 0; i < dim * cell.n_nodes(); ++i) {
-      const int dof_i = dim * cell.node(i / dim) + i % dim;
-      internal[dof_i] += sum.force[i];
-      const int row = numbering.equation[static_cast<std::size_t>(dof_i)];
-      if (row < 0) continue;
-      for (int j = 0; j < dim * cell.n_nodes(); ++j) {
-        const int dof_j = dim * cell.node(j / dim) + j % dim;
-        const int column = numbering.equation[static_cast<std::size_t>(dof_j)];
-        if (column >= 0) triplets.emplace_back(row, column, sum.tangent(i, j));
-      }
-    }
+    for (std::size_t dof = 0; dof < equation.size(); ++dof)
+      if (const int row = equation[dof]; row >= 0) full[static_cast<Eigen::Index>(dof)] += step[row];
   }
 };
 
 template <class Space>
-QuasiStaticStep<Space>::QuasiStaticStep(double tolerance)
-    : system_(std::make_unique<System>()), tolerance_(tolerance) {}
+QuasiStaticStep<Space>::QuasiStaticStep(double tolerance, exchange::MpmLinearSolver solver)
+    : system_(std::make_unique<System>(solver)), tolerance_(tolerance) {}
 template <class Space>
 QuasiStaticStep<Space>::QuasiStaticStep(QuasiStaticStep&&) noexcept = default;
 template <class Space>
@@ -221,7 +218,8 @@ IncrementReport QuasiStaticStep<Space>::advance(Body<Space>& body, const Gravity
     report.converged = report.out_of_balance <= tolerance_;
     if (report.converged || iteration == max_iterations || !std::isfinite(report.out_of_balance)) break;
     ++report.linear_solves;
-    if (!system.solve(residual, step)) return report;
+    const double accuracy = linear_tolerance(report.out_of_balance);
+    if (!system.solver.solve(system.tangent.matrix(), residual, accuracy, step)) return report;
     system.add_to_free(step, displacement);
   }
   if (!report.converged) return report;

@@ -12,6 +12,8 @@ namespace {
 
 /// A gap below this share of a row's height is left open: the error it leaves is far below that of the grid.
 constexpr double negligible_gap = 5e-3;
+/// Of a row: by how much heights summed in another order may differ.
+constexpr double round_off = 1e-9;
 
 template <class Space>
 int sort_in(Body<Space>& body, std::size_t size_before) {
@@ -60,6 +62,16 @@ void add_rows(Body<Space>& body, const Stack& stack, int full_rows, double rest 
 } // namespace
 
 template <class Space>
+bool refill_may_be_due(const Body<Space>& body, const Refill& refill, const std::vector<double>& heights) {
+  if (!refill.rule) return false;
+  if (*refill.rule == exchange::RefillRule::element) return true;
+  const double row = refill_row_height(body);
+  return std::any_of(heights.begin(), heights.end(), [&](double surface) {
+    return rows_due((refill.design_level - surface) / row + round_off, refill) > 0;
+  });
+}
+
+template <class Space>
 int refill_where_due(Body<Space>& body, const Refill& refill) {
   if (!refill.rule) return 0;
   if (*refill.rule == exchange::RefillRule::element) return refill_empty_cells(body, refill);
@@ -89,6 +101,7 @@ int close_gap(Body<Space>& body, const Refill& refill) {
 }
 
 #define SETTLE_INSTANTIATE(Space)                                                                                      \
+  template bool refill_may_be_due(const Body<Space>&, const Refill&, const std::vector<double>&);                      \
   template int refill_where_due(Body<Space>&, const Refill&);                                                          \
   template int close_gap(Body<Space>&, const Refill&);
 SETTLE_FOR_EVERY_SPACE(SETTLE_INSTANTIATE)

@@ -1,8 +1,14 @@
 #include "settle/mpm/requirements.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
+#include <optional>
+#include <thread>
+#include <utility>
+#include <vector>
 
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "settle/exchange/errors.hpp"
 #include "settle/exchange/fitting_size.hpp"
@@ -11,61 +17,71 @@ namespace settle::mpm {
 
 namespace {
 
-/// One key that has to have one value.
-struct Only {
-  const char* key;
-  std::string given;
-  std::string allowed;
-};
-
-void require(const exchange::Case& study, const Only& only) {
-  if (only.given == only.allowed) return;
-  throw exchange::InputError(
-      {.where = study.where(only.key),
-       .what = fmt::format("settle-mpm of this version cannot run {} = {}", only.key, only.given),
-       .given = only.given,
-       .allowed = only.allowed,
-       .remedy = fmt::format("set {} = {}", only.key, only.allowed)});
-}
-
 template <class Enum>
 std::string quoted(Enum value) {
   return fmt::format("\"{}\"", exchange::name_of(value));
 }
 
-void require_known_element(const exchange::Case& study) {
+/// What there is to know of an element here.
+struct ElementKind {
+  int dimension = 2;
+  std::vector<int> point_counts; ///< that it can be given, the usual one first
+  std::string why;               ///< what these have in common, if there are several
+  /// Of the same dimension, with every basis; none if it is that itself.
+  std::optional<exchange::MpmElement> box;
+};
+
+ElementKind kind_of(exchange::MpmElement element) {
+  switch (element) {
+  case exchange::MpmElement::triangle:
+    return {2, {3}, "", exchange::MpmElement::quadrilateral};
+  case exchange::MpmElement::quadrilateral:
+    return {2, {4, 9, 16}, ": as many side by side as on top of each other", {}};
+  case exchange::MpmElement::tetrahedron:
+    return {3, {4}, "", exchange::MpmElement::hexahedron};
+  case exchange::MpmElement::hexahedron:
+    break;
+  }
+  return {3, {8, 27, 64}, ": as many along one axis as along the others", {}};
+}
+
+void require_element_of_the_dimension(const exchange::Case& study) {
   using enum exchange::MpmElement;
-  if (study.mpm.element == triangle || study.mpm.element == quadrilateral) return;
-  throw exchange::InputError({.where = study.where("mpm.element"),
-                              .what = "settle-mpm of this version has elements of the plane only",
-                              .given = quoted(study.mpm.element),
-                              .allowed = fmt::format("{} or {}", quoted(triangle), quoted(quadrilateral)),
-                              .remedy = "set mpm.element to one of these"});
+  const int dimension = study.geometry.dimension;
+  if (kind_of(study.mpm.element).dimension == dimension) return;
+  const auto [simplex, box] = dimension == 2 ? std::pair{triangle, quadrilateral} : std::pair{tetrahedron, hexahedron};
+  throw exchange::InputError(
+      {.where = study.where("mpm.element"),
+       .what = fmt::format("the case has {} dimensions, mpm.element has {}", dimension, 5 - dimension),
+       .given = fmt::format("{} with geometry.dimension = {}", quoted(study.mpm.element), dimension),
+       .allowed = fmt::format("{} or {}", quoted(simplex), quoted(box)),
+       .remedy = fmt::format("set mpm.element = {}, or geometry.dimension = {}", quoted(box), 5 - dimension)});
 }
 
 void require_basis_of_the_element(const exchange::Case& study) {
   const auto linear = exchange::Basis::linear;
-  const auto triangle = exchange::MpmElement::triangle, quadrilateral = exchange::MpmElement::quadrilateral;
-  if (study.mpm.element != triangle || study.mpm.basis == linear) return;
+  const ElementKind kind = kind_of(study.mpm.element);
+  if (!kind.box || study.mpm.basis == linear) return;
   throw exchange::InputError(
       {.where = study.where("mpm.basis"),
-       .what = fmt::format("the basis {} is one of quadrilaterals", quoted(study.mpm.basis)),
-       .given = fmt::format("{} with mpm.element = {}", quoted(study.mpm.basis), quoted(triangle)),
+       .what = fmt::format("the basis {} is one of elements {}", quoted(study.mpm.basis), quoted(*kind.box)),
+       .given = fmt::format("{} with mpm.element = {}", quoted(study.mpm.basis), quoted(study.mpm.element)),
        .allowed = fmt::format("{} with this element", quoted(linear)),
-       .remedy = fmt::format("set mpm.element = {}, or mpm.basis = {}", quoted(quadrilateral), quoted(linear))});
+       .remedy = fmt::format("set mpm.element = {}, or mpm.basis = {}", quoted(*kind.box), quoted(linear))});
 }
 
-/// Triangles take three points, quadrilaterals the square of 2, 3 or 4: a single one does not resist hourglassing.
+/// Simplices take their Gauss points, the others a lattice of 2, 3 or 4 a side: a single one does not resist
+/// hourglassing.
 void require_points_that_fit(const exchange::Case& study) {
   const int count = study.mpm.points_per_element.value_or(0);
-  const bool triangle = study.mpm.element == exchange::MpmElement::triangle;
-  if (triangle ? count == 3 : count == 4 || count == 9 || count == 16) return;
+  const ElementKind kind = kind_of(study.mpm.element);
+  if (std::find(kind.point_counts.begin(), kind.point_counts.end(), count) != kind.point_counts.end()) return;
   throw exchange::InputError(
       {.where = study.where("mpm.points_per_element"),
        .what = fmt::format("an element {} cannot be given this number of points", quoted(study.mpm.element)),
        .given = std::to_string(count),
-       .allowed = triangle ? "3" : "4, 9 or 16: as many side by side as on top of each other",
-       .remedy = fmt::format("set mpm.points_per_element = {}", triangle ? 3 : 4)});
+       .allowed = fmt::format("{}{}", fmt::join(kind.point_counts, ", "), kind.why),
+       .remedy = fmt::format("set mpm.points_per_element = {}", kind.point_counts.front())});
 }
 
 void require_law_that_fits(const exchange::Case& study) {
@@ -81,21 +97,53 @@ void require_law_that_fits(const exchange::Case& study) {
   if (study.mpm.jaumann) refuse("mpm.jaumann");
 }
 
-/// Full cells distribute their force over all functions, points move only what they feel of it: where there are fewer
-/// points side by side than functions, an explicit stage does not come to rest.
-void require_points_that_feel_all_splines(const exchange::Case& study, int across) {
+/// Points and functions of B-splines along one horizontal axis of a column.
+struct Across {
+  int elements, points;
+
+  [[nodiscard]] int functions() const { return elements + 2; }
+  [[nodiscard]] bool has_fewer_points() const { return points < functions(); }
+};
+
+/// B-splines that points do not feel. Full cells distribute their force over all functions, points move only what they
+/// feel of it: where there are fewer points side by side than functions, an explicit stage does not come to rest. Where
+/// there are fewer along both horizontal axes, a product of two functions, each of which is zero at all points, is a
+/// motion without resistance, and no quasi-static increment has a solution.
+void require_points_that_feel_all_splines(const exchange::Case& study, const exchange::ElementCounts& counts) {
   const auto& mpm = study.mpm;
-  if (mpm.basis != exchange::Basis::b_spline || mpm.integration != exchange::Integration::mixed ||
-      mpm.scheme != exchange::Scheme::explicit_dynamic)
-    return;
-  const int points = across * static_cast<int>(std::lround(std::sqrt(*mpm.points_per_element)));
-  if (points >= across + 2) return;
+  if (mpm.basis != exchange::Basis::b_spline) return;
+  const int dimension = study.geometry.dimension;
+  const int per_side = static_cast<int>(std::lround(std::pow(*mpm.points_per_element, 1.0 / dimension)));
+  std::vector<Across> axes{{counts.across, counts.across * per_side}};
+  if (dimension == 3) axes.push_back({counts.deep, counts.deep * per_side});
+  const auto too_few = std::find_if(axes.begin(), axes.end(), std::mem_fn(&Across::has_fewer_points));
+  if (too_few == axes.end()) return;
+  const bool is_static = mpm.scheme == exchange::Scheme::quasi_static;
+  const bool unresisted =
+      dimension == 3 && std::all_of(axes.begin(), axes.end(), std::mem_fn(&Across::has_fewer_points));
+  if (is_static ? !unresisted : mpm.integration != exchange::Integration::mixed) return;
   throw exchange::InputError(
-      {.where = study.where("mpm.integration"),
-       .what = "B-splines over full cells do not come to rest with fewer points across the width than functions",
-       .given = fmt::format("{} points, {} functions across {} element", points, across + 2, across),
-       .allowed = "as many points as functions, or another integration or scheme",
-       .remedy = "set mpm.integration = \"points\", mpm.points_per_element = 9, or take a wider column"});
+      {.where = study.where(is_static ? "mpm.points_per_element" : "mpm.integration"),
+       .what = is_static
+                   ? "B-splines with fewer points than functions across the column leave a motion without resistance"
+                   : "B-splines over full cells do not come to rest with fewer points across the column than "
+                     "functions",
+       .given = fmt::format("{} points, {} functions across {} element", too_few->points, too_few->functions(),
+                            too_few->elements),
+       .allowed = is_static ? "as many points as functions along one horizontal axis"
+                            : "as many points as functions, or another integration or scheme",
+       .remedy = fmt::format("set {}mpm.points_per_element = {}, or take a wider column",
+                             is_static ? "" : "mpm.integration = \"points\", ", dimension == 2 ? 9 : 27)});
+}
+
+void require_threads(const exchange::Case& study) {
+  const int most = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  if (study.mpm.threads <= most) return;
+  throw exchange::InputError({.where = study.where("mpm.threads"),
+                              .what = "this machine has fewer processors",
+                              .given = std::to_string(study.mpm.threads),
+                              .allowed = fmt::format("1 ... {}", most),
+                              .remedy = fmt::format("set mpm.threads = {}", most)});
 }
 
 /// What polygons and a motion ask for that is not there.
@@ -121,14 +169,14 @@ void require_polygons_that_fit(const exchange::Case& study) {
 } // namespace
 
 void require_solvable(const exchange::Case& study) {
-  require(study, {"geometry.dimension", std::to_string(study.geometry.dimension), "2"});
-  require_known_element(study);
+  require_element_of_the_dimension(study);
   require_points_that_fit(study);
   require_basis_of_the_element(study);
   require_law_that_fits(study);
+  require_threads(study);
   if (study.geometry.shape == exchange::Shape::polygons) return require_polygons_that_fit(study);
   const auto counts = exchange::count_elements(study, "mpm.element_size", study.mpm.element_size);
-  require_points_that_feel_all_splines(study, counts.across);
+  require_points_that_feel_all_splines(study, counts);
 }
 
 } // namespace settle::mpm

@@ -14,20 +14,34 @@ namespace settle::mpm {
 
 namespace {
 
-/// Calls `action` with the type of the case's space, std::type_identity<Space>.
-template <class Action>
-auto with_space(const exchange::Case& study, Action&& action) {
-  if (study.geometry.dimension == 3) return action(std::type_identity<HexahedronSpace>());
-  if (study.mpm.element == exchange::MpmElement::triangle) return action(std::type_identity<TriangleSpace>());
-  switch (study.mpm.basis) { // `require_solvable` lets no other element pass
+/// Calls `action` with the type of the space of squares or cubes that has this basis, std::type_identity<Space>.
+template <int dim, class Action>
+auto with_box_space(exchange::Basis basis, Action&& action) {
+  switch (basis) {
   case exchange::Basis::linear:
     break;
   case exchange::Basis::gimp:
-    return action(std::type_identity<GimpSpace<2>>());
+    return action(std::type_identity<GimpSpace<dim>>());
   case exchange::Basis::b_spline:
-    return action(std::type_identity<BSplineSpace<2>>());
+    return action(std::type_identity<BSplineSpace<dim>>());
   }
-  return action(std::type_identity<QuadrilateralSpace>());
+  return action(std::type_identity<BoxSpace<dim>>());
+}
+
+/// The same with the case's space.
+template <class Action>
+auto with_space(const exchange::Case& study, Action&& action) {
+  switch (study.mpm.element) {
+  case exchange::MpmElement::triangle:
+    return action(std::type_identity<TriangleSpace>());
+  case exchange::MpmElement::tetrahedron:
+    return action(std::type_identity<TetrahedronSpace>());
+  case exchange::MpmElement::hexahedron:
+    return with_box_space<3>(study.mpm.basis, action);
+  case exchange::MpmElement::quadrilateral:
+    break;
+  }
+  return with_box_space<2>(study.mpm.basis, action);
 }
 
 Refill refill_of(const exchange::Case& study, int layer) {
@@ -59,8 +73,8 @@ StageReport load(const exchange::Case& study, const StageLoad& stage, Body<Space
   }
   if constexpr (Space::dim == 2)
     if (stage.drive != nullptr && stage.drive->runs_in_time())
-      return run_motion(body, stage, study.mpm.explicit_dynamic.courant);
-  return load_explicit(body, stage, study.mpm.explicit_dynamic);
+      return run_motion(body, stage, study.mpm.explicit_dynamic.courant, study.mpm.threads);
+  return load_explicit(body, stage, study.mpm.explicit_dynamic, study.mpm.threads);
 }
 
 template <class Space>
@@ -126,6 +140,10 @@ exchange::Used used(const exchange::Case& study) {
     values.law = body.law;
     return values;
   });
+}
+
+int threads(const exchange::Case& study) {
+  return study.mpm.scheme == exchange::Scheme::explicit_dynamic ? study.mpm.threads : 1;
 }
 
 void solve(const exchange::Case& study, const exchange::StageSink& sink) {

@@ -230,6 +230,20 @@ class PageWithoutScript(unittest.TestCase):
             browser.call("Emulation.setScriptExecutionDisabled", value=False)
 
 
+class Printed(unittest.TestCase):
+    settle = folder = None
+
+    def test_a_pdf_has_the_same_bytes_each_time(self):
+        printed = []
+        for _ in range(2):
+            ended = subprocess.run([self.settle, "report", self.folder, "--format", "pdf"], capture_output=True, text=True)
+            self.assertEqual(ended.returncode, 1, ended.stderr)  # that of the verdicts
+            printed.append((self.folder / "report.pdf").read_bytes())
+        self.assertTrue(printed[0].startswith(b"%PDF-"))
+        self.assertGreater(len(printed[0]), 20000)
+        self.assertEqual(printed[0], printed[1])
+
+
 class Quiet(unittest.TestCase):
     """Runs last: what all the others have set off."""
 
@@ -248,8 +262,9 @@ def main():
     page = written(sys.argv[1], pathlib.Path(sys.argv[2]))
     with chromium.Chromium(program) as browser:
         Page.browser, Page.address = browser, page.resolve().as_uri()
+        Printed.settle, Printed.folder = sys.argv[1], page.parent
         loader = unittest.defaultTestLoader
-        suite = unittest.TestSuite(map(loader.loadTestsFromTestCase, (Page, PageWithoutScript, Quiet)))
+        suite = unittest.TestSuite(map(loader.loadTestsFromTestCase, (Page, PageWithoutScript, Printed, Quiet)))
         passed = unittest.TextTestRunner(verbosity=2).run(suite).wasSuccessful()
     return 0 if passed else 1
 

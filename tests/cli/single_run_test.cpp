@@ -88,9 +88,10 @@ TEST_F(SingleRun, KeepsACampaignOutOfTheFolderAndLetsOthersIn) {
   const std::string command =
       fmt::format("'{}' campaign '{}' --out '{}'", SETTLE_PROGRAM, file.string(), out().string());
   const auto shell = folder.script(
-      "both", fmt::format("{0} --only-run 'column a, mpm' & first=$!\nwhile [ ! -e {1} ]; do sleep 0.05; done\n"
-                          "{0}; echo refused $?\n{0} --only-run 'column b, fem'; echo beside $?\nwait $first; echo first $?",
-                          command, started.string()));
+      "both",
+      fmt::format("{0} --only-run 'column a, mpm' & first=$!\nwhile [ ! -e {1} ]; do sleep 0.05; done\n"
+                  "{0}; echo refused $?\n{0} --only-run 'column b, fem'; echo beside $?\nwait $first; echo first $?",
+                  command, started.string()));
   EXPECT_THAT(run_program(shell, {}).text, AllOf(HasSubstr("single runs of this campaign are at work"),
                                                  HasSubstr("refused 2"), HasSubstr("beside 0"), HasSubstr("first 0")));
 }

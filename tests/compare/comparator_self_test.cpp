@@ -132,33 +132,55 @@ std::vector<Sabotage> all_sabotage() {
   return {
       passed("nothing", {}),
       passed("points permuted", [](Result& result) { permute(last(result)); }),
-      missing("NaN in a displacement", [](Result& result) { last(result).displacement[3] = nan; }, "NaN or infinite"),
-      missing("NaN in a stress", [](Result& result) { last(result).stress[1] = nan; }, "NaN or infinite"),
-      missing("+Inf in a displacement", [](Result& result) { last(result).displacement[3] = infinity; }, "infinite"),
-      missing("-Inf in a stress", [](Result& result) { last(result).stress[1] = -infinity; }, "infinite"),
-      missing("NaN in the base reaction", [](Result& result) { result.stages[1].base_reaction = nan; }, "no value to judge"),
-      missing("NaN in a probe", [](Result& result) { result.stages.back().probes.begin()->second.stress[1] = nan; }, "NaN"),
-      failed("sign of displacement", [](Result& result) { scale(last(result).displacement, -1); }, "above the limit"),
-      failed("sign of stress", [](Result& result) { scale(last(result).stress, -1); }, "above the limit"),
-      failed("sign of probes", [](Result& result) { scale(result.stages.back().probes.begin()->second.stress, -1); },
-             "above the limit"),
-      failed("layers swapped",
-             [](Result& result) {
-               for (int& layer : last(result).layer)
-                 layer = static_cast<int>(result.stages.size()) + 1 - layer;
-             },
-             "above the limit"),
-      failed("displacement in mm", [](Result& result) { scale(last(result).displacement, 1e3); }, "above the limit"),
-      failed("stress in kPa", [](Result& result) { scale(last(result).stress, 1e-3); }, "above the limit"),
-      failed("density in g/cm3", [](Result& result) { scale(last(result).density, 1e-3); }, "above the limit"),
-      failed("reaction in kN", [](Result& result) { result.stages.back().base_reaction *= 1e-3; }, "above the limit"),
-      failed("solved with another density", [](Result& result) { result.used.density *= 1.001; }, "density"),
-      missing("no points", [](Result& result) { last(result) = {}; }, "no points"),
-      missing("no stages", [](Result& result) { result.stages.clear(); }, ""),
-      missing("no probes", [](Result& result) { result.stages.back().probes.clear(); }, ""),
-      unreadable("no stresses", [](hid_t file) { remove(file, "/stages/0003/points/stress"); }, "stress"),
-      unreadable("no volumes", [](hid_t file) { remove(file, "/stages/0001/points/volume"); }, "volume"),
-      unreadable("no values used", [](hid_t file) { remove(file, "/used"); }, "used"),
+      missing(
+          "NaN in a displacement", [](Result& result) { last(result).displacement[3] = nan; }, "NaN or infinite"),
+      missing(
+          "NaN in a stress", [](Result& result) { last(result).stress[1] = nan; }, "NaN or infinite"),
+      missing(
+          "+Inf in a displacement", [](Result& result) { last(result).displacement[3] = infinity; }, "infinite"),
+      missing(
+          "-Inf in a stress", [](Result& result) { last(result).stress[1] = -infinity; }, "infinite"),
+      missing(
+          "NaN in the base reaction", [](Result& result) { result.stages[1].base_reaction = nan; },
+          "no value to judge"),
+      missing(
+          "NaN in a probe", [](Result& result) { result.stages.back().probes.begin()->second.stress[1] = nan; }, "NaN"),
+      failed(
+          "sign of displacement", [](Result& result) { scale(last(result).displacement, -1); }, "above the limit"),
+      failed(
+          "sign of stress", [](Result& result) { scale(last(result).stress, -1); }, "above the limit"),
+      failed(
+          "sign of probes", [](Result& result) { scale(result.stages.back().probes.begin()->second.stress, -1); },
+          "above the limit"),
+      failed(
+          "layers swapped",
+          [](Result& result) {
+            for (int& layer : last(result).layer)
+              layer = static_cast<int>(result.stages.size()) + 1 - layer;
+          },
+          "above the limit"),
+      failed(
+          "displacement in mm", [](Result& result) { scale(last(result).displacement, 1e3); }, "above the limit"),
+      failed(
+          "stress in kPa", [](Result& result) { scale(last(result).stress, 1e-3); }, "above the limit"),
+      failed(
+          "density in g/cm3", [](Result& result) { scale(last(result).density, 1e-3); }, "above the limit"),
+      failed(
+          "reaction in kN", [](Result& result) { result.stages.back().base_reaction *= 1e-3; }, "above the limit"),
+      failed(
+          "solved with another density", [](Result& result) { result.used.density *= 1.001; }, "density"),
+      missing(
+          "no points", [](Result& result) { last(result) = {}; }, "no points"),
+      missing(
+          "no stages", [](Result& result) { result.stages.clear(); }, ""),
+      missing(
+          "no probes", [](Result& result) { result.stages.back().probes.clear(); }, ""),
+      unreadable(
+          "no stresses", [](hid_t file) { remove(file, "/stages/0003/points/stress"); }, "stress"),
+      unreadable(
+          "no volumes", [](hid_t file) { remove(file, "/stages/0001/points/volume"); }, "volume"),
+      unreadable(
+          "no values used", [](hid_t file) { remove(file, "/used"); }, "used"),
       unreadable("hash of another case", set_case_hash, "case_sha256 does not belong"),
   };
 }

@@ -61,8 +61,8 @@ Matrix nominal(const Stress& stress, const Matrix& deformation);
 /// Plane strain, isotropic: sigma = lambda tr(e) I + 2 mu e, e the symmetric part of the displacement's gradient.
 Stress linear_stress(const exchange::Material& material, const Matrix& displacement_gradient);
 
-/// Of the deformation from the stress-free state, by the case's law. Throws std::invalid_argument for law `rate`, which
-/// has no such stress.
+/// Of the deformation from the stress-free state, by the case's law. Law `rate` has such a stress only where the body
+/// is stretched along x and y alone, D : ln F; throws std::invalid_argument elsewhere.
 Stress finite_stress(const exchange::Material& material, const Matrix& deformation);
 
 } // namespace settle::compare::test

@@ -34,7 +34,7 @@ public:
     know_whether_layers_matter(points);
     for (int i = 0; i < points; ++i) {
       const FormulaPoint at = sampler_.inside();
-      scale_boundary_with(at);
+      scale_with(at);
       check_stress(at);
       check_momentum(at);
       if (in_time_) check_time(at);
@@ -136,9 +136,10 @@ private:
     start_stress_.add(formulas_.stress(later(-at.time)), Stress{});
   }
 
-  /// What is small on the boundary is so beside the motion as a whole.
-  void scale_boundary_with(const FormulaPoint& at) {
+  /// What is small on the boundary is so beside the motion as a whole, and forces beside stress over the body's size.
+  void scale_with(const FormulaPoint& at) {
     const double displacement = magnitude(formulas_.displacement(at)), stress = magnitude(formulas_.stress(at));
+    momentum_.scale_with(stress / std::max(study_.geometry.width, study_.geometry.height));
     for (Comparison* comparison : {&start_displacement_, &held_, &joined_})
       comparison->scale_with(displacement);
     for (Comparison* comparison : {&start_stress_, &free_faces_, &tractions_})

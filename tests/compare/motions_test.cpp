@@ -104,7 +104,7 @@ TEST(MotionCases, AreAllFound) {
   std::set<std::string> folders;
   for (const std::string& file : cases_with_a_motion())
     folders.insert(fs::path(file).parent_path().string());
-  EXPECT_THAT(folders, testing::IsSupersetOf({"manufactured", "slope", "vibration", "vortex", "wedge"}));
+  EXPECT_THAT(folders, testing::IsSupersetOf({"compression", "manufactured", "slope", "vibration", "vortex", "wedge"}));
 }
 
 } // namespace settle::compare::test

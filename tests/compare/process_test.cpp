@@ -37,6 +37,19 @@ TEST(Process, GivesTheSignal) {
   EXPECT_EQ(outcome.code, SIGSEGV);
 }
 
+TEST(Process, ToldToEndTogetherWithUsHasNotEndedByItself) {
+  const ScratchFolder folder;
+  std::atomic<bool> stop{false};
+  const ProcessRequest request{
+      .program = folder.script("program", "kill -TERM $$"), .log = folder.path() / "log", .time_limit = 20.0};
+  std::jthread teller([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    stop = true;
+  });
+  EXPECT_EQ(run_process(request, stop).end, ProcessEnd::stopped);
+  EXPECT_EQ(run_process(request, go_on).end, ProcessEnd::signalled);
+}
+
 TEST(Process, IsKilledAtItsTimeLimitTogetherWithItsChildren) {
   const ScratchFolder folder;
   const auto witness = folder.path() / "survived";

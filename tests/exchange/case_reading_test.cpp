@@ -62,6 +62,8 @@ TEST(CaseReading, EveryKeyOfTheMaterialPointMethodReachesItsMember) {
   EXPECT_EQ(mpm.scheme, Scheme::explicit_dynamic);
   EXPECT_EQ(mpm.quasi_static.increments, 7);
   EXPECT_EQ(mpm.quasi_static.residual, 1e-7);
+  EXPECT_EQ(mpm.quasi_static.linear_solver, MpmLinearSolver::direct);
+  EXPECT_EQ(mpm.explicit_dynamic.relaxation, Relaxation::local);
   EXPECT_EQ(mpm.explicit_dynamic.damping, 0.5);
   EXPECT_EQ(mpm.explicit_dynamic.courant, 0.8);
   EXPECT_EQ(mpm.explicit_dynamic.ramp_time, 11.0);
@@ -112,6 +114,24 @@ TEST(CaseReading, WhatIsLeftOutHasTheDefaultOfTheFormat) {
   EXPECT_EQ(study.fem.element, FemElement::Q1);
   EXPECT_TRUE(study.probes.empty());
   EXPECT_TRUE(study.checks.empty());
+}
+
+TEST(CaseReading, LinearSystemsAreSolvedDirectlyInThePlaneAndByIterationsInSpace) {
+  EXPECT_EQ(parse_case(smallest, "c").mpm.quasi_static.linear_solver, MpmLinearSolver::direct);
+  EXPECT_EQ(parse_case(smallest, "c", {"geometry.dimension=3"}).mpm.quasi_static.linear_solver,
+            MpmLinearSolver::iterative);
+}
+
+TEST(CaseReading, GravityIsRampedWithLocalDampingAndActsAtOnceUnderViscousRelaxation) {
+  EXPECT_EQ(parse_case(smallest, "c").mpm.explicit_dynamic.ramp_time, 10.0);
+  const auto viscous = [](const std::vector<std::string>& more) {
+    std::vector<std::string> all{"mpm.explicit.relaxation=viscous"};
+    all.insert(all.end(), more.begin(), more.end());
+    return parse_case(smallest, "c", all).mpm.explicit_dynamic;
+  };
+  EXPECT_EQ(viscous({}).relaxation, Relaxation::viscous);
+  EXPECT_FALSE(viscous({}).ramp_time.has_value());
+  EXPECT_EQ(viscous({"mpm.explicit.ramp_time=3"}).ramp_time, 3.0);
 }
 
 TEST(CaseReading, DefaultsThatDependOnOtherKeysAreFilledIn) {

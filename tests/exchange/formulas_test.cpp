@@ -81,7 +81,7 @@ TEST(Formulas, ThatAreLeftOutAreZeroButAStressThatIsNotKnownIsNoNumber) {
 }
 
 TEST(Formulas, AreWrittenBackWithTheCaseAndReadAgain) {
-  const Case study = square("let = ['a = X']\n displacement = ['a', '2 * a']\n duration = 3.0");
+  const Case study = square("let = ['a = X']\n displacement = ['a * t', '2 * a * t']\n duration = 3.0");
   const Case again = parse_case(to_toml(study), "again.toml");
   ASSERT_TRUE(again.motion.has_value());
   EXPECT_EQ(again.motion->duration, 3.0);

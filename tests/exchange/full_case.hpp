@@ -46,8 +46,10 @@ scheme = "explicit"
 [mpm.quasi_static]
 increments = 7
 residual = 1e-7
+linear_solver = "direct"
 
 [mpm.explicit]
+relaxation = "local"
 damping = 0.5
 courant = 0.8
 ramp_time = 11

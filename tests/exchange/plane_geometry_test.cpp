@@ -39,6 +39,29 @@ TEST(PlaneGeometry, APointOnAnInterfaceBelongsToBothLayers) {
   EXPECT_THAT(layers_at(wedge(), {1.5, 1.5}, 1e-9), ElementsAre());
 }
 
+TEST(PlaneGeometry, PolygonsThatTouchDoNotOverlap) {
+  const Polygon square{.corners = {{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
+  const auto at = [](double x, double y) {
+    return Polygon{.corners = {{x, y}, {x + 1, y}, {x + 1, y + 1}, {x, y + 1}}};
+  };
+  for (const Polygon& beside : {at(1, 0), at(0.5, 1), at(-1, -1), at(1 - 1e-12, 0), at(3, 0.5)}) {
+    EXPECT_FALSE(overlap(square, beside, 1e-9));
+    EXPECT_FALSE(overlap(beside, square, 1e-9));
+  }
+  EXPECT_FALSE(overlap(wedge().polygons[0], wedge().polygons[1], 1e-9));
+}
+
+TEST(PlaneGeometry, PolygonsOverlapAcrossACornerAcrossEachOtherAndOneWithinTheOther) {
+  const Polygon square{.corners = {{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
+  const Polygon corner{.corners = {{0.9, 0.9}, {2, 0.9}, {2, 2}, {0.9, 2}}};
+  const Polygon beam{.corners = {{-1, 0.4}, {2, 0.4}, {2, 0.6}, {-1, 0.6}}}; // no corner of either in the other
+  const Polygon inside{.corners = {{0.4, 0.4}, {0.6, 0.4}, {0.5, 0.6}}};
+  for (const Polygon& other : {corner, beam, inside, square}) {
+    EXPECT_TRUE(overlap(square, other, 1e-9));
+    EXPECT_TRUE(overlap(other, square, 1e-9));
+  }
+}
+
 TEST(PlaneGeometry, TheNearestLayerIsKnownAlsoOutside) {
   EXPECT_EQ(nearest_layer(wedge(), {-0.1, 0.5}), 1);
   EXPECT_EQ(nearest_layer(wedge(), {2.0, 2.0}), 2);

@@ -53,7 +53,7 @@ Symmetric turned(const Tensor& r, const Symmetric& x) {
 }
 
 PointMotion motion(const Tensor& before, const Tensor& after, const Symmetric& stress) {
-  return {.before = before, .increment = after - before, .stress = stress};
+  return {.before = before, .increment = after - before, .after = after, .stress = stress};
 }
 
 class EveryLaw : public ::testing::TestWithParam<Law> {
@@ -82,7 +82,8 @@ protected:
         Tensor h;
         h[k][l] = 1.0;
         const auto moved = [&](double length) {
-          return answer({at.before, at.increment + length * h * deformed, at.stress}).kirchhoff;
+          return answer({at.before, at.increment + length * h * deformed, at.after + length * h * deformed, at.stress})
+              .kirchhoff;
         };
         const Symmetric difference = (moved(step) - moved(-step)) / (2 * step);
         const Symmetric d = symmetrize(h);

@@ -154,11 +154,5 @@ TEST(PolygonMesh, EdgesSharedInPartAreRefused) {
                     HasSubstr("divide geometry.polygon.0 there")));
 }
 
-TEST(PolygonMesh, PolygonsThatOverlapAreRefused) {
-  const Polygon across{.corners = {{0.5, 0.5}, {2, 0.5}, {2, 2}, {0.5, 2}}};
-  EXPECT_THAT(complaint_about(case_of({square, across}, 0.5)),
-              HasSubstr("geometry.polygon.0 and geometry.polygon.1 overlap"));
-}
-
 } // namespace
 } // namespace settle::fem::testing

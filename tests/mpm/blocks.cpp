@@ -10,6 +10,8 @@ template <class Space>
 PointLayout<Space::dim> layout_of() {
   if constexpr (std::is_same_v<Space, TriangleSpace>)
     return triangle_layout();
+  else if constexpr (std::is_same_v<Space, TetrahedronSpace>)
+    return tetrahedron_layout();
   else
     return lattice_layout<Space::dim>(2);
 }

@@ -26,20 +26,24 @@ struct Block {
 
 inline constexpr double block_density = 1800.0; ///< [kg/m3]
 
-/// Every space of the plane, for typed tests.
-using EveryPlaneSpace = testing::Types<TriangleSpace, QuadrilateralSpace, GimpSpace<2>, BSplineSpace<2>>;
+/// Every space, for typed tests.
+using EverySpace = testing::Types<TriangleSpace, QuadrilateralSpace, GimpSpace<2>, BSplineSpace<2>, TetrahedronSpace,
+                                  HexahedronSpace, GimpSpace<3>, BSplineSpace<3>>;
 
 /// The name of a space in the name of a typed test.
 struct SpaceName {
   template <class Space>
   static std::string GetName(int) {
+    constexpr int dim = Space::dim;
     if (std::is_same_v<Space, TriangleSpace>) return "Triangle";
-    if (std::is_same_v<Space, QuadrilateralSpace>) return "Quadrilateral";
-    return std::is_same_v<Space, GimpSpace<2>> ? "Gimp" : "BSpline";
+    if (std::is_same_v<Space, TetrahedronSpace>) return "Tetrahedron";
+    if (std::is_same_v<Space, BoxSpace<dim>>) return dim == 2 ? "Quadrilateral" : "Hexahedron";
+    return (std::is_same_v<Space, GimpSpace<dim>> ? "Gimp" : "BSpline") + std::to_string(dim) + "d";
   }
 };
 
-/// E = 400 kPa, nu = 0.25; points at rest and stress-free, sorted: three in a triangle, four in a quadrilateral.
+/// E = 400 kPa, nu = 0.25; points at rest and stress-free, sorted: the Gauss points of simplices, two along each side
+/// of squares and cubes.
 template <class Space = TriangleSpace>
 Body<Space> block(const Block& data = {});
 

@@ -80,11 +80,12 @@ TEST(CellAverage, IsTakenAfterEveryExplicitStepIfTheBodyAsksForIt) {
   for (const bool asked : {true, false}) {
     auto body = stressed_block();
     body.average_stress = asked;
-    Nodes<2> nodes(static_cast<std::size_t>(body.space.n_nodes()));
-    scatter_points(body, {}, nodes);
-    update_nodes(body, 0.75, nodes);
-    update_velocity_and_remap(body, 1e-3, nodes);
-    update_stress_and_move(body, {}, 1e-3, nodes);
+    ExplicitStep<TriangleSpace> step(body);
+    step.scatter({});
+    step.accelerate(0.75);
+    step.displace(1e-3, 1e-3);
+    step.move();
+    step.gather();
     EXPECT_EQ(is_uniform_in_cells(body.points), asked);
   }
 }

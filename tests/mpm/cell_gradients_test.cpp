@@ -26,15 +26,17 @@ Body<Space> scattered_block(StressIntegration integration) {
 }
 
 /// What the patches of a cell sum to.
+template <int dim>
 struct Sums {
   double volume = 0;
-  Eigen::Matrix2Xd gradients; ///< weighted by volume
+  Eigen::Matrix<double, dim, Eigen::Dynamic> gradients; ///< weighted by volume
 };
 
 template <class Space>
-Sums sums_of(const Body<Space>& body, int cell) {
+Sums<Space::dim> sums_of(const Body<Space>& body, int cell) {
   const CellGradients<Space> gradients(body, cell);
-  Sums sums{0.0, Eigen::Matrix2Xd::Zero(2, gradients.n_nodes())};
+  Sums<Space::dim> sums;
+  sums.gradients.setZero(Space::dim, gradients.n_nodes());
   gradients.for_each_patch([&](const Patch<Space>& patch) {
     sums.volume += patch.volume;
     sums.gradients += patch.volume * patch.gradients.leftCols(gradients.n_nodes());
@@ -44,15 +46,17 @@ Sums sums_of(const Body<Space>& body, int cell) {
 
 /// The gradient of a node; zero if the stencil does not name it.
 template <class Stencil>
-Vector<2> gradient_of(const Stencil& stencil, int node) {
+auto gradient_of(const Stencil& stencil, int node) {
+  Vector<Stencil::Gradients::RowsAtCompileTime> gradient;
+  gradient.setZero();
   for (int i = 0; i < stencil.size(); ++i)
-    if (stencil.node(i) == node) return stencil.gradients.col(i);
-  return Vector<2>::Zero();
+    if (stencil.node(i) == node) gradient = stencil.gradients.col(i);
+  return gradient;
 }
 
 template <class Space>
 class CellGradientsOf : public testing::Test {};
-TYPED_TEST_SUITE(CellGradientsOf, EveryPlaneSpace, SpaceName);
+TYPED_TEST_SUITE(CellGradientsOf, EverySpace, SpaceName);
 
 TYPED_TEST(CellGradientsOf, PatchesHoldEveryPointOnce) {
   const auto body = scattered_block<TypeParam>(StressIntegration::full_cells);
@@ -99,11 +103,12 @@ TYPED_TEST(CellGradientsOf, OfPointsVolumesAreThoseOfTheShapeFunctions) {
 TYPED_TEST(CellGradientsOf, ReproduceTheGradientOfALinearFieldAtEveryPoint) {
   for (const auto integration : {StressIntegration::full_cells, StressIntegration::points}) {
     const auto body = scattered_block<TypeParam>(integration);
-    const Vector<2> exact(0.7, -0.4);
+    using Field = Vector<TypeParam::dim>;
+    const Field exact = Field::LinSpaced(0.7, -0.4);
     for (const int cell : body.cells.occupied) {
       const CellGradients<TypeParam> gradients(body, cell);
       gradients.for_each_patch([&](const Patch<TypeParam>& patch) {
-        Vector<2> gradient = Vector<2>::Zero();
+        Field gradient = Field::Zero();
         for (int i = 0; i < gradients.n_nodes(); ++i)
           gradient += exact.dot(body.space.node_position(gradients.node(i))) * patch.gradients.col(i);
         EXPECT_LT((gradient - exact).norm(), 1e-13);

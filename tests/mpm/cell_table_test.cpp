@@ -53,7 +53,8 @@ Body<TriangleSpace> mixed_block() {
 TEST(SortByCell, PutsThePointsOfEveryCellIntoItsRange) {
   auto body = mixed_block();
   body.sort();
-  const auto& [begin, occupied] = body.cells;
+  const auto& begin = body.cells.begin;
+  const auto& occupied = body.cells.occupied;
   EXPECT_TRUE(std::is_sorted(body.points.cell.begin(), body.points.cell.end()));
   ASSERT_EQ(begin.size(), static_cast<std::size_t>(body.space.n_cells()) + 1);
   EXPECT_EQ(begin.front(), 0U);

@@ -27,15 +27,13 @@ Body<TriangleSpace> floating_block(exchange::Law law) {
 
 /// Every x moves to x + g (x - middle) in the step.
 void step(Body<TriangleSpace>& body, const Tensor<2>& g) {
-  const double dt = 0.01, mass = 3.0;
   const Vector<2> middle(2.25, 2.25);
-  Nodes<2> nodes(static_cast<std::size_t>(body.space.n_nodes()));
-  for (int n = 0; n < body.space.n_nodes(); ++n) {
-    auto& node = nodes[static_cast<std::size_t>(n)];
-    node.mass = mass;
-    node.remapped = mass / dt * g * (body.space.node_position(n) - middle);
-  }
-  update_stress_and_move(body, {}, dt, nodes);
+  ExplicitStep<TriangleSpace> phases(body);
+  phases.scatter({});
+  for (int n = 0; n < body.space.n_nodes(); ++n)
+    phases.set_displacement(n, g * (body.space.node_position(n) - middle));
+  phases.move();
+  phases.gather();
 }
 
 Tensor<2> tensor(double xx, double xy, double yx, double yy) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <random>
 
 #include <gtest/gtest.h>
@@ -12,33 +13,36 @@
 namespace settle::mpm::test {
 namespace {
 
+/// A body, and a step that has been begun.
 template <class Space>
 struct Scattered {
   Body<Space> body;
-  Nodes<2> nodes;
+  ExplicitStep<Space> step{body};
+
+  [[nodiscard]] Nodes<Space::dim> nodes() const { return step.nodes(); }
 };
 
 template <class Space = TriangleSpace>
-Scattered<Space> scattered(bool supported, double g = 9.81) {
+std::unique_ptr<Scattered<Space>> scattered(bool supported) {
   std::mt19937 random(21);
-  Scattered<Space> state{block<Space>({.supported = supported}), {}};
-  scatter_positions(state.body, random, 0.2);
-  randomize_velocities(state.body, random);
-  randomize_stresses(state.body, random);
-  state.nodes.resize(static_cast<std::size_t>(state.body.space.n_nodes()));
-  scatter_points(state.body, {.acceleration = g}, state.nodes);
+  auto state = std::make_unique<Scattered<Space>>(block<Space>({.supported = supported}));
+  scatter_positions(state->body, random, 0.2);
+  randomize_velocities(state->body, random);
+  randomize_stresses(state->body, random);
+  state->step.scatter({});
   return state;
 }
 
-template <class Member>
-Vector<2> sum_of(const Nodes<2>& nodes, Member member) {
-  Vector<2> sum = Vector<2>::Zero();
+template <int dim>
+Vector<dim> sum_of(const Nodes<dim>& nodes, Vector<dim> NodeState<dim>::*member) {
+  Vector<dim> sum = Vector<dim>::Zero();
   for (const auto& node : nodes)
     sum += node.*member;
   return sum;
 }
 
-double mass_of(const Nodes<2>& nodes) {
+template <int dim>
+double mass_of(const Nodes<dim>& nodes) {
   double mass = 0;
   for (const auto& node : nodes)
     mass += node.mass;
@@ -47,29 +51,36 @@ double mass_of(const Nodes<2>& nodes) {
 
 template <class Space>
 class ExplicitPhasesOf : public testing::Test {};
-TYPED_TEST_SUITE(ExplicitPhasesOf, EveryPlaneSpace, SpaceName);
+TYPED_TEST_SUITE(ExplicitPhasesOf, EverySpace, SpaceName);
 
 TYPED_TEST(ExplicitPhasesOf, ScatteringConservesMassAndMomentum) {
-  const auto [body, nodes] = scattered<TypeParam>(false);
+  const auto state = scattered<TypeParam>(false);
+  auto& body = state->body;
+  const auto nodes = state->nodes();
   EXPECT_NEAR(mass_of(nodes) / total_mass(body.points), 1.0, 1e-14);
-  const Vector<2> momentum = total_momentum(body.points);
-  EXPECT_LT((sum_of(nodes, &NodeState<2>::momentum) - momentum).norm(), 1e-13 * total_mass(body.points));
+  const auto momentum = total_momentum(body.points);
+  EXPECT_LT((sum_of(nodes, &NodeState<TypeParam::dim>::momentum) - momentum).norm(), 1e-13 * total_mass(body.points));
 }
 
 TYPED_TEST(ExplicitPhasesOf, ExternalForceIsTheWeightAndInternalForcesCancelOut) {
-  const auto [body, nodes] = scattered<TypeParam>(false);
-  const Vector<2> external = sum_of(nodes, &NodeState<2>::external);
-  EXPECT_EQ(external[0], 0.0);
-  EXPECT_NEAR(external[1] / (-9.81 * total_mass(body.points)), 1.0, 1e-14);
+  const auto state = scattered<TypeParam>(false);
+  auto& body = state->body;
+  const auto nodes = state->nodes();
+  constexpr int dim = TypeParam::dim;
+  const Vector<dim> external = sum_of(nodes, &NodeState<dim>::external);
+  EXPECT_EQ(external.template head<dim - 1>().norm(), 0.0);
+  EXPECT_NEAR(external[dim - 1] / (-9.81 * total_mass(body.points)), 1.0, 1e-14);
   double largest = 0;
   for (const auto& node : nodes)
     largest = std::max(largest, node.internal.norm());
   EXPECT_GT(largest, 0.0);
-  EXPECT_LT(sum_of(nodes, &NodeState<2>::internal).norm(), 1e-13 * largest);
+  EXPECT_LT(sum_of(nodes, &NodeState<dim>::internal).norm(), 1e-13 * largest);
 }
 
 TEST(ScatterPoints, InternalForceDoesTheWorkOfTheCellsStressOverTheirFullArea) {
-  const auto [body, nodes] = scattered(false);
+  const auto state = scattered(false);
+  auto& body = state->body;
+  const auto nodes = state->nodes();
   const auto field = [](const Vector<2>& x) { return Vector<2>(0.3 * x[0] - 0.2 * x[1], 0.7 * x[0] + 0.4 * x[1]); };
   double nodal = 0, expected = 0;
   for (int n = 0; n < body.space.n_nodes(); ++n)
@@ -89,40 +100,52 @@ TEST(ScatterPoints, InternalForceDoesTheWorkOfTheCellsStressOverTheirFullArea) {
 }
 
 TEST(ScatterPoints, ForgetsTheStepBefore) {
-  auto [body, nodes] = scattered(false);
-  const double mass = mass_of(nodes);
-  scatter_points(body, {}, nodes);
-  EXPECT_EQ(mass_of(nodes), mass);
+  const auto state = scattered(false);
+  const double mass = mass_of(state->nodes());
+  state->step.accelerate(0.0);
+  state->step.displace(0.0, 0.0);
+  state->step.scatter({});
+  EXPECT_EQ(mass_of(state->nodes()), mass);
 }
 
 /// Constant stress over the full cells of a block whose points lie anywhere in them: only its outer nodes carry force.
 TYPED_TEST(ExplicitPhasesOf, AConstantStressIsInEquilibriumInsideABlockWithPointsAnywhere) {
-  auto [body, nodes] = scattered<TypeParam>(false);
+  const auto state = scattered<TypeParam>(false);
+  auto& body = state->body;
   for (auto& component : body.points.stress)
     std::fill(component.begin(), component.end(), -5e3);
-  scatter_points(body, {}, nodes);
-  int inner = 0;
+  state->step.scatter({});
+  const auto nodes = state->nodes();
+  constexpr std::size_t vertical = TypeParam::dim - 1;
+  const auto& numbering = body.space.node_numbering();
+  int inner = 0, expected = 2;
+  for (std::size_t d = 0; d < vertical; ++d)
+    expected *= numbering.counts[d] - 2;
   for (int n = 0; n < body.space.n_nodes(); ++n) {
-    const int column = n % body.space.node_columns(), row = n / body.space.node_columns();
-    const bool inside = column > 0 && column < body.space.node_columns() - 1 && row > 0 && row < 3;
-    const double force = nodes[static_cast<std::size_t>(n)].internal.norm();
+    const auto index = numbering.index(n);
+    bool inside = index[vertical] > 0 && index[vertical] < 3;
+    for (std::size_t d = 0; d < vertical; ++d)
+      inside = inside && index[d] > 0 && index[d] < numbering.counts[d] - 1;
     if (!inside) continue;
-    EXPECT_LT(force, 1e-12 * 5e3 * body.space.size());
+    EXPECT_LT(nodes[static_cast<std::size_t>(n)].internal.norm(), 1e-12 * 5e3 * body.space.column_area());
     ++inner;
   }
-  EXPECT_EQ(inner, 2 * (body.space.node_columns() - 2));
+  EXPECT_EQ(inner, expected);
 }
 
-TEST(UpdateNodes, DampingIsItsShareOfTheUnbalancedForceAgainstTheVelocityAndNeverTurnsTheAcceleration) {
-  auto [body, free] = scattered(false);
-  auto damped = free;
-  update_nodes(body, 0.0, free);
-  update_nodes(body, 0.75, damped);
+TEST(Accelerate, DampingIsItsShareOfTheUnbalancedForceAgainstTheVelocityAndNeverTurnsTheAcceleration) {
+  const auto state = scattered(false);
+  const auto before = state->nodes();
+  state->step.accelerate(0.0);
+  const auto free = state->nodes();
+  state->step.scatter({});
+  state->step.accelerate(0.75);
+  const auto damped = state->nodes();
   int judged = 0;
   for (std::size_t n = 0; n < free.size(); ++n)
     for (int d = 0; d < 2; ++d) {
       if (free[n].mass == 0.0) continue;
-      const double a = free[n].acceleration[d], b = damped[n].acceleration[d], v = free[n].momentum[d];
+      const double a = free[n].acceleration[d], b = damped[n].acceleration[d], v = before[n].momentum[d];
       EXPECT_NEAR(std::abs(b - a), 0.75 * std::abs(a), 1e-12 * std::abs(a));
       EXPECT_LE((b - a) * v, 0.0);
       EXPECT_GT(a * b, 0.0);
@@ -131,61 +154,80 @@ TEST(UpdateNodes, DampingIsItsShareOfTheUnbalancedForceAgainstTheVelocityAndNeve
   EXPECT_GT(judged, 20);
 }
 
-TEST(UpdateNodes, AnUndampedNodeObeysNewton) {
-  auto [body, nodes] = scattered(false);
-  update_nodes(body, 0.0, nodes);
-  for (const auto& node : nodes)
-    if (node.mass > 0.0) {
-      EXPECT_LT((node.mass * node.acceleration - (node.external - node.internal)).norm(), 1e-10 * node.external.norm());
+TYPED_TEST(ExplicitPhasesOf, AnUndampedNodeObeysNewton) {
+  const auto state = scattered<TypeParam>(false);
+  const auto before = state->nodes();
+  state->step.accelerate(0.0);
+  const auto after = state->nodes();
+  for (std::size_t n = 0; n < after.size(); ++n)
+    if (after[n].mass > 0.0) {
+      const auto unbalanced = (before[n].external - before[n].internal).eval();
+      EXPECT_LT((after[n].mass * after[n].acceleration - unbalanced).norm(), 1e-10 * before[n].external.norm());
     }
 }
 
-TEST(UpdateNodes, WhatIsNotAcceleratedIsCarriedByTheBase) {
-  auto [body, nodes] = scattered(true);
-  const auto sums = update_nodes(body, 0.0, nodes);
+TYPED_TEST(ExplicitPhasesOf, WhatIsNotAcceleratedIsCarriedByTheBase) {
+  const auto state = scattered<TypeParam>(true);
+  const auto sums = state->step.accelerate(0.0);
   double free_vertical = 0;
-  for (const auto& node : nodes)
-    free_vertical += node.mass * node.acceleration[1];
-  EXPECT_NEAR(sums.base_reaction, 9.81 * total_mass(body.points) + free_vertical, 1e-9 * sums.external);
+  for (const auto& node : state->nodes())
+    free_vertical += node.mass * node.acceleration[TypeParam::dim - 1];
+  EXPECT_NEAR(sums.base_reaction, 9.81 * total_mass(state->body.points) + free_vertical, 1e-9 * sums.external);
 }
 
-TYPED_TEST(ExplicitPhasesOf, RemappingConservesTheMomentumOfTheUpdatedPoints) {
-  auto [body, nodes] = scattered<TypeParam>(false);
-  const Vector<2> before = total_momentum(body.points);
-  update_nodes(body, 0.75, nodes);
-  Vector<2> impulse = Vector<2>::Zero();
+/// Masses do not change within a step; a point loses mass to nothing.
+TYPED_TEST(ExplicitPhasesOf, AStepConservesMassAndChangesMomentumByItsImpulse) {
+  const auto state = scattered<TypeParam>(false);
+  auto& [body, step] = *state;
+  const double mass = total_mass(body.points);
+  using Momentum = Vector<TypeParam::dim>;
+  const Momentum before = total_momentum(body.points);
+  step.accelerate(0.75);
+  Momentum impulse = Momentum::Zero();
   const double dt = 1e-3;
-  for (const auto& node : nodes)
+  for (const auto& node : state->nodes())
     impulse += dt * node.mass * node.acceleration;
-  update_velocity_and_remap(body, dt, nodes);
-  const Vector<2> after = total_momentum(body.points);
-  const double scale = total_mass(body.points);
-  EXPECT_GT(impulse.norm(), 1e-4 * scale);
-  EXPECT_LT((after - before - impulse).norm(), 1e-13 * scale);
-  EXPECT_LT((sum_of(nodes, &NodeState<2>::remapped) - after).norm(), 1e-13 * scale);
+  step.displace(dt, dt);
+  Momentum remapped = Momentum::Zero();
+  for (const auto& node : state->nodes())
+    remapped += node.mass / dt * node.displacement;
+  step.move();
+  step.gather();
+  const Momentum after = total_momentum(body.points);
+  EXPECT_EQ(total_mass(body.points), mass);
+  EXPECT_GT(impulse.norm(), 1e-4 * mass);
+  EXPECT_LT((after - before - impulse).norm(), 1e-13 * mass);
+  EXPECT_LT((remapped - after).norm(), 1e-13 * mass);
 }
 
 TYPED_TEST(ExplicitPhasesOf, NothingMovesThroughAFrictionlessSupport) {
-  auto [body, nodes] = scattered<TypeParam>(true);
-  const auto lowest_and_outermost = [&body = body] {
-    const auto& [x, y] = body.points.position;
-    const auto [left, right] = std::minmax_element(x.begin(), x.end());
-    return std::array{*left, body.space.width() - *right, *std::min_element(y.begin(), y.end())};
+  const auto state = scattered<TypeParam>(true);
+  auto& [body, step] = *state;
+  constexpr int dim = TypeParam::dim;
+  const auto distance_to_supports = [&position = body.points.position, &space = body.space] {
+    double distance = INFINITY;
+    for (int d = 0; d < dim; ++d) {
+      const auto& x = position[static_cast<std::size_t>(d)];
+      const auto [first, last] = std::minmax_element(x.begin(), x.end());
+      distance = std::min(distance, *first);
+      if (d + 1 < dim) distance = std::min(distance, space.extent(d) - *last);
+    }
+    return distance;
   };
   for (int k = 0; k < 200; ++k) {
-    const double dt = stable_time_step(body, 0.5);
-    scatter_points(body, {.acceleration = 9.81}, nodes);
-    update_nodes(body, 0.0, nodes);
-    update_velocity_and_remap(body, dt, nodes);
-    update_stress_and_move(body, {.acceleration = 9.81}, dt, nodes);
-    for (const double distance : lowest_and_outermost())
-      ASSERT_GT(distance, 0.0) << "step " << k;
+    step.scatter({});
+    const double dt = step.stable_time_step(0.5);
+    step.accelerate(0.0);
+    for (int n = 0; n < body.space.n_nodes(); ++n)
+      for (int d = 0; d < dim; ++d)
+        if (body.fixed[static_cast<std::size_t>(n)][static_cast<std::size_t>(d)]) {
+          EXPECT_EQ(step.node(n).acceleration[d], 0.0);
+        }
+    step.displace(dt, dt);
+    step.move();
+    step.gather();
+    ASSERT_GT(distance_to_supports(), 0.0) << "step " << k;
   }
-  for (int n = 0; n < body.space.n_nodes(); ++n)
-    for (int d = 0; d < 2; ++d)
-      if (body.fixed[static_cast<std::size_t>(n)][static_cast<std::size_t>(d)]) {
-        EXPECT_EQ(nodes[static_cast<std::size_t>(n)].acceleration[d], 0.0);
-      }
 }
 
 } // namespace

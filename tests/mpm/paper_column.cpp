@@ -41,15 +41,18 @@ bool same_height(double a, double b) {
 }
 
 /// Relative height within their layer of points placed in rows: a layer of n squares has 4 n rows if they are made of
-/// triangles, the lowest and the highest a sixth of a square from its ends; a lattice ends half a spacing from them.
+/// triangles, the lowest and the highest a sixth of a square from its ends, and six of (5 - sqrt 5)/20 if of
+/// tetrahedra; a lattice ends half a spacing from them.
 /// Needs no knowledge of where the solver placed the layer.
 class RelativeHeights {
 public:
-  RelativeHeights(const exchange::SamplePoints& points, exchange::MpmElement element) {
-    const double from_end = element == exchange::MpmElement::triangle ? 4.0 / 6.0 : 0.5; // in mean spacings
+  RelativeHeights(const exchange::Stage& stage, exchange::MpmElement element) {
+    const double from_end = distance_from_end(element);
+    const auto& points = stage.points;
+    const std::vector<double> placed = vertical(points.placed_position, stage);
     std::map<int, std::vector<double>> heights;
     for (std::size_t p = 0; p < points.size(); ++p)
-      if (points.refilled[p] == 0) heights[points.layer[p]].push_back(points.placed_position[2 * p + 1]);
+      if (points.refilled[p] == 0) heights[points.layer[p]].push_back(placed[p]);
     for (auto& [layer, rows] : heights) {
       std::sort(rows.begin(), rows.end());
       const double lowest = rows.front(), highest = rows.back();
@@ -67,6 +70,12 @@ private:
   struct Line {
     double lowest, end, slope;
   };
+  /// Of the lowest row from the layer's lower side, in mean spacings of rows.
+  static double distance_from_end(exchange::MpmElement element) {
+    if (element == exchange::MpmElement::triangle) return 4.0 / 6.0;
+    if (element == exchange::MpmElement::tetrahedron) return 6.0 * (5.0 - std::sqrt(5.0)) / 20.0;
+    return 0.5;
+  }
   std::map<int, Line> lines_;
 };
 
@@ -111,27 +120,31 @@ ExactRateColumn exact_of(const exchange::Case& study) {
 RelativeErrors errors_of(const exchange::Case& study, const std::vector<exchange::Stage>& stages) {
   const ExactRateColumn exact = exact_of(study);
   const auto& points = stages.back().points;
-  const RelativeHeights relative_height(points, study.mpm.element);
+  const std::vector<double> placed = vertical(points.placed_position, stages.back()),
+                            moved = vertical(points.displacement, stages.back()),
+                            vertical_stresses = vertical_stress(stages.back());
+  const RelativeHeights relative_height(stages.back(), study.mpm.element);
   const int stage = stages.back().layer;
   SquaredError settlement, stress;
   for (std::size_t p = 0; p < points.size(); ++p) {
     if (points.refilled[p] != 0) continue;
-    const double xi = relative_height(points.layer[p], points.placed_position[2 * p + 1]);
-    settlement.add(points.volume[p], -points.displacement[2 * p + 1], exact.settlement(points.layer[p], xi, stage));
-    stress.add(points.volume[p], points.stress[6 * p + 1], exact.vertical_stress(points.layer[p], xi, stage));
+    const double xi = relative_height(points.layer[p], placed[p]);
+    settlement.add(points.volume[p], -moved[p], exact.settlement(points.layer[p], xi, stage));
+    stress.add(points.volume[p], vertical_stresses[p], exact.vertical_stress(points.layer[p], xi, stage));
   }
   return {.settlement = settlement.relative(), .vertical_stress = stress.relative()};
 }
 
 PointValues placed_points(const exchange::Stage& stage) {
   const auto& points = stage.points;
+  const std::vector<double> moved = vertical(points.displacement, stage), stresses = vertical_stress(stage);
   std::map<std::uint64_t, std::size_t> by_id;
   for (std::size_t p = 0; p < points.size(); ++p)
     if (points.refilled[p] == 0) by_id[points.id[p]] = p;
   PointValues values;
   for (const auto& [id, p] : by_id) {
-    values.settlement.push_back(-points.displacement[2 * p + 1]);
-    values.vertical_stress.push_back(points.stress[6 * p + 1]);
+    values.settlement.push_back(-moved[p]);
+    values.vertical_stress.push_back(stresses[p]);
   }
   return values;
 }
@@ -144,15 +157,29 @@ double relative_difference(const std::vector<double>& a, const std::vector<doubl
   return error.relative();
 }
 
+std::vector<double> vertical(const std::vector<double>& values, const exchange::Stage& stage) {
+  const std::size_t dim = values.size() / stage.points.size();
+  std::vector<double> components;
+  for (std::size_t p = 0; p < stage.points.size(); ++p)
+    components.push_back(values[dim * (p + 1) - 1]);
+  return components;
+}
+
+std::vector<double> vertical_stress(const exchange::Stage& stage) {
+  const std::size_t dim = stage.points.position.size() / stage.points.size();
+  std::vector<double> components;
+  for (std::size_t p = 0; p < stage.points.size(); ++p)
+    components.push_back(stage.points.stress[6 * p + dim - 1]);
+  return components;
+}
+
 double mean_density(const exchange::Stage& stage) {
   return stage.mass / std::accumulate(stage.points.volume.begin(), stage.points.volume.end(), 0.0);
 }
 
 std::size_t lowest_point(const exchange::Stage& stage) {
-  std::size_t lowest = 0;
-  for (std::size_t p = 1; p < stage.points.size(); ++p)
-    if (stage.points.position[2 * p + 1] < stage.points.position[2 * lowest + 1]) lowest = p;
-  return lowest;
+  const std::vector<double> heights = vertical(stage.points.position, stage);
+  return static_cast<std::size_t>(std::min_element(heights.begin(), heights.end()) - heights.begin());
 }
 
 } // namespace settle::mpm::test

@@ -16,7 +16,7 @@ using Overrides = std::vector<std::string>; ///< `key=value`
 /// E = 400 kPa, nu = 0.25, 1720 kg/m3, 5 m in 5 layers, refilled, one element of 0.125 m wide, quasi-static.
 exchange::Case paper_column(const Overrides& overrides = {});
 
-/// The same with another element size, still one element wide.
+/// The same with another element size, still one element wide (and deep, in three dimensions).
 exchange::Case paper_column_meshed(double element_size, const Overrides& overrides = {});
 
 /// All stages of a case.
@@ -42,6 +42,12 @@ PointValues placed_points(const exchange::Stage& stage);
 
 /// |a - b| / |b| in the Euclidean norm.
 double relative_difference(const std::vector<double>& a, const std::vector<double>& b);
+
+/// The vertical component of something that a stage holds for every point: its height, its vertical displacement.
+std::vector<double> vertical(const std::vector<double>& values, const exchange::Stage& stage);
+
+/// The vertical stress of every point [Pa].
+std::vector<double> vertical_stress(const exchange::Stage& stage);
 
 /// All mass over all volume [kg/m3].
 double mean_density(const exchange::Stage& stage);

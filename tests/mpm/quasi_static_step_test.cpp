@@ -37,7 +37,7 @@ void expect_quadratic(const std::vector<double>& residuals) {
 
 template <class Space>
 class QuasiStaticStepOf : public testing::Test {};
-TYPED_TEST_SUITE(QuasiStaticStepOf, EveryPlaneSpace, SpaceName);
+TYPED_TEST_SUITE(QuasiStaticStepOf, EverySpace, SpaceName);
 
 TYPED_TEST(QuasiStaticStepOf, NewtonConvergesQuadraticallyUnderLargeStrainWithBothIntegrations) {
   for (const auto integration : {StressIntegration::full_cells, StressIntegration::points}) {
@@ -70,6 +70,18 @@ TYPED_TEST(QuasiStaticStepOf, BaseCarriesTheWeightOfADistortedBody) {
   auto body = distorted_block<TypeParam>(StressIntegration::full_cells);
   const auto report = QuasiStaticStep<TypeParam>(tolerance).advance(body, {.acceleration = 9.81});
   EXPECT_NEAR(report.base_reaction / (9.81 * total_mass(body.points)), 1.0, 1e-9);
+}
+
+TYPED_TEST(QuasiStaticStepOf, IterationsFindWhatTheFactorisationFinds) {
+  const auto solved = [](exchange::MpmLinearSolver solver) {
+    auto body = distorted_block<TypeParam>(StressIntegration::full_cells);
+    EXPECT_TRUE(QuasiStaticStep<TypeParam>(tolerance, solver).advance(body, {.acceleration = 40.0}).converged);
+    return body.points;
+  };
+  const auto direct = solved(exchange::MpmLinearSolver::direct),
+             iterative = solved(exchange::MpmLinearSolver::iterative);
+  for (std::size_t p = 0; p < direct.size(); ++p) // residuals of 1e-10, on a block of a few squares
+    EXPECT_LT((direct.position_of(p) - iterative.position_of(p)).norm(), 1e-8);
 }
 
 TEST(QuasiStaticStep, ReportsOneResidualMoreThanLinearSolvesAndTheLastBelowTheTolerance) {

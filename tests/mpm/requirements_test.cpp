@@ -27,14 +27,38 @@ TEST(Requirements, ThePapersColumnCanBeRun) {
 }
 
 TEST(Requirements, NamesTheKeyItsPlaceAndTheValueThatCanBeRun) {
-  expect_refused({"geometry.dimension=3"}, "--set geometry.dimension=3", "set geometry.dimension = 2");
-  expect_refused({"mpm.element=tetrahedron"}, "--set mpm.element=tetrahedron", "\"triangle\" or \"quadrilateral\"");
+  expect_refused({"mpm.points_per_element=2"}, "--set mpm.points_per_element=2", "set mpm.points_per_element = 3");
+}
+
+TEST(Requirements, TheElementHasTheDimensionOfTheCase) {
+  for (const std::string element : {"tetrahedron", "hexahedron"}) {
+    expect_refused({"mpm.element=" + element}, "--set mpm.element=" + element, "\"triangle\" or \"quadrilateral\"");
+    EXPECT_NO_THROW(require_solvable(paper_column({"mpm.element=" + element, "geometry.dimension=3"})));
+  }
+  for (const std::string element : {"triangle", "quadrilateral"})
+    expect_refused({"mpm.element=" + element, "geometry.dimension=3"}, "--set mpm.element=" + element,
+                   "set mpm.element = \"hexahedron\", or geometry.dimension = 2");
+  expect_refused({"geometry.dimension=3"}, "mpm.element", "\"tetrahedron\" or \"hexahedron\""); // left out
+}
+
+TEST(Requirements, ThreadsAreAsManyAsTheMachineHas) {
+  EXPECT_NO_THROW(require_solvable(paper_column({"mpm.threads=1"})));
+  expect_refused({"mpm.threads=1000000"}, "--set mpm.threads=1000000", "set mpm.threads = ");
+}
+
+TEST(Threads, AreOneInTheQuasiStaticSchemeWhateverIsAskedFor) {
+  EXPECT_EQ(threads(paper_column({"mpm.threads=2"})), 1);
+  EXPECT_EQ(threads(paper_column({"mpm.threads=2", "mpm.scheme=explicit"})), 2);
 }
 
 TEST(Requirements, SmoothBasesAreThoseOfQuadrilaterals) {
   for (const std::string basis : {"gimp", "b-spline"}) {
     expect_refused({"mpm.basis=" + basis}, "--set mpm.basis=" + basis, "set mpm.element = \"quadrilateral\"");
     EXPECT_NO_THROW(require_solvable(paper_column({"mpm.basis=" + basis, "mpm.element=quadrilateral"})));
+    expect_refused({"mpm.basis=" + basis, "mpm.element=tetrahedron", "geometry.dimension=3"},
+                   "--set mpm.basis=" + basis, "set mpm.element = \"hexahedron\"");
+    EXPECT_NO_THROW(require_solvable(paper_column(
+        {"mpm.basis=" + basis, "mpm.element=hexahedron", "geometry.dimension=3", "mpm.points_per_element=27"})));
   }
 }
 
@@ -50,6 +74,30 @@ TEST(Requirements, SplinesOverFullCellsNeedAsManyPointsAsFunctionsAcrossInTheExp
   }
 }
 
+TEST(Requirements, SplinesOverFullCellsNeedThemAlongTheShorterSideOfASolidColumn) {
+  Overrides splines{"mpm.integration=mixed", "mpm.element=hexahedron", "geometry.dimension=3", "mpm.basis=b-spline",
+                    "mpm.scheme=explicit",   "geometry.width=0.25",    "geometry.depth=0.125"};
+  expect_refused(splines, "--set mpm.integration=mixed", "2 points, 3 functions");
+  splines.emplace_back("geometry.depth=0.25");
+  EXPECT_NO_THROW(require_solvable(paper_column(splines)));
+}
+
+TEST(Requirements, QuasiStaticSplinesNeedThemAlongOneSideOfASolidColumn) {
+  for (const char* integration : {"mpm.integration=mixed", "mpm.integration=points"}) {
+    const Overrides splines{integration, "mpm.element=hexahedron", "geometry.dimension=3", "mpm.basis=b-spline",
+                            "mpm.points_per_element=8"};
+    expect_refused(splines, "--set mpm.points_per_element=8", "2 points, 3 functions");
+    for (const char* change : {"mpm.points_per_element=27", "geometry.width=0.25", "geometry.depth=0.25"}) {
+      Overrides changed = splines;
+      changed.emplace_back(change);
+      EXPECT_NO_THROW(require_solvable(paper_column(changed))) << change;
+    }
+  }
+  EXPECT_NO_THROW(
+      require_solvable(paper_column({"mpm.integration=points", "mpm.element=hexahedron", "geometry.dimension=3",
+                                     "mpm.basis=b-spline", "mpm.scheme=explicit"})));
+}
+
 TEST(Requirements, ATriangleTakesThreePointsAndAQuadrilateralASquareOfThem) {
   expect_refused({"mpm.points_per_element=4"}, "--set mpm.points_per_element=4", "set mpm.points_per_element = 3");
   for (const char* count : {"4", "9", "16"})
@@ -57,7 +105,20 @@ TEST(Requirements, ATriangleTakesThreePointsAndAQuadrilateralASquareOfThem) {
         require_solvable(paper_column({"mpm.element=quadrilateral", std::string("mpm.points_per_element=") + count})));
   for (const char* count : {"1", "2", "3", "8", "25"})
     expect_refused({std::string("mpm.points_per_element=") + count, "mpm.element=quadrilateral"},
-                   std::string("--set mpm.points_per_element=") + count, "4, 9 or 16");
+                   std::string("--set mpm.points_per_element=") + count, "4, 9, 16: as many side by side");
+}
+
+TEST(Requirements, ATetrahedronTakesFourPointsAndAHexahedronACubeOfThem) {
+  const Overrides solid{"geometry.dimension=3", "mpm.element=hexahedron"};
+  for (const char* count : {"8", "27", "64"})
+    EXPECT_NO_THROW(
+        require_solvable(paper_column({solid[0], solid[1], std::string("mpm.points_per_element=") + count})));
+  for (const char* count : {"1", "4", "9", "125"})
+    expect_refused({std::string("mpm.points_per_element=") + count, solid[0], solid[1]},
+                   std::string("--set mpm.points_per_element=") + count, "8, 27, 64");
+  for (const char* count : {"1", "3", "8"})
+    expect_refused({std::string("mpm.points_per_element=") + count, solid[0], "mpm.element=tetrahedron"},
+                   std::string("--set mpm.points_per_element=") + count, "set mpm.points_per_element = 4");
 }
 
 TEST(Requirements, OptionsOfTheLawRateAreRefusedForHyperelasticLaws) {
@@ -69,7 +130,8 @@ TEST(Requirements, OptionsOfTheLawRateAreRefusedForHyperelasticLaws) {
   EXPECT_NO_THROW(require_solvable(paper_column({"material.fill.law=neo-hookean"})));
 }
 
-TEST(Requirements, ElementsHaveToDivideALayerAndTheWidth) {
+TEST(Requirements, ElementsHaveToDivideALayerTheWidthAndTheDepth) {
+  expect_refused({"geometry.depth=0.2", "geometry.dimension=3", "mpm.element=hexahedron"}, "mpm.element_size", "depth");
   expect_refused({"mpm.element_size=0.3"}, "--set mpm.element_size=0.3", "0.125");
   expect_refused({"geometry.width=0.2"}, "mpm.element_size", "");
 }

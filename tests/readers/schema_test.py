@@ -21,8 +21,11 @@ beyond_a_schema = {
     "band_upside_down", "compared_with_itself", "convergence_of_an_unknown_solver", "damped_motion",
     "floating_polygons", "formula_unfinished", "formula_with_a_slip", "layer_without_polygon", "layers_backwards",
     "layers_that_are_not_there", "level_given_twice", "levels_from_fine_to_coarse", "levels_of_nothing",
-    "levels_that_do_not_match", "levels_without_element_size", "line_that_is_not_fitted", "missing_key", "order_left_out", "order_of_divergence", "polygon_clockwise", "polygon_with_a_dent",
-    "polygons_without_support", "probe_outside", "probes_beside_the_polygons", "reference_called_exact",
+    "levels_that_do_not_match", "levels_without_element_size", "line_that_is_not_fitted", "missing_key",
+    "motion_of_a_solid_column", "motion_under_way", "order_left_out", "order_of_divergence", "polygon_clockwise",
+    "polygon_with_a_dent", "polygons_in_space", "polygons_that_overlap", "polygons_without_support",
+    "probe_beside_the_depth", "probe_outside", "probes_beside_the_polygons", "reference_called_exact",
+    "relaxation_for_a_time",
     "second_meaning_of_x", "support_of_a_column", "support_of_no_motion", "two_levels_of_layers",
     "undefined_material",
 }

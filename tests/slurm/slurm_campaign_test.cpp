@@ -56,10 +56,11 @@ protected:
   /// The same, ended by a signal as soon as everything is submitted.
   [[nodiscard]] Answer left_alone(const fs::path& campaign, const std::string& signal) const {
     const auto shell = folder.script(
-        "leave", fmt::format("'{0}' campaign '{1}' --out '{2}' --executor slurm & settle=$!\n"
-                             "while ! grep -q '\"judge_id\": \"[0-9]' '{2}/slurm/submission.json'; do sleep 0.05; done\n"
-                             "sleep 0.3; kill -{3} $settle; wait $settle",
-                             SETTLE_PROGRAM, campaign.string(), out().string(), signal));
+        "leave",
+        fmt::format("'{0}' campaign '{1}' --out '{2}' --executor slurm & settle=$!\n"
+                    "while ! grep -q '\"judge_id\": \"[0-9]' '{2}/slurm/submission.json'; do sleep 0.05; done\n"
+                    "sleep 0.3; kill -{3} $settle; wait $settle",
+                    SETTLE_PROGRAM, campaign.string(), out().string(), signal));
     return run_program(shell, {}, patience);
   }
   /// What a campaign's runs have ended with: "run 1, mpm" -> "crashed".
@@ -75,8 +76,8 @@ protected:
 };
 
 TEST_F(SlurmCampaign, TwentyFourRunsOfWhichOneFailsAreJudgedAsLocalOnesAre) {
-  play("mpm", "case \"$out\" in */run_7/*) echo the last words; exit 3 ;; esac\ncp " + prepared("mpm").string() +
-                  " \"$out\"");
+  play("mpm",
+       "case \"$out\" in */run_7/*) echo the last words; exit 3 ;; esac\ncp " + prepared("mpm").string() + " \"$out\"");
   const fs::path campaign = campaign_of(24, "", "solvers = [\"mpm\"]");
   const fs::path here = folder.path() / "here";
   const Answer local = run_program(SETTLE_PROGRAM, words(campaign, here, {}), patience);
@@ -141,8 +142,8 @@ TEST_F(SlurmCampaign, InterruptedSaysHowItIsEndedAndIsFoundDoneLater) {
 TEST_F(SlurmCampaign, LimitsAndCancelledJobsAreTheVerdictsOfLocalOnes) {
   const std::string job = "${SLURM_ARRAY_JOB_ID}_${SLURM_ARRAY_TASK_ID}";
   play("mpm", "case \"$out\" in\n */run_1/*) sleep 60 ;;\n */run_2/*) scancel " + job +
-                  "; sleep 60 ;;\n */greedy/*) x=x; while :; do x=$x$x; done ;;\nesac\ncp " +
-                  prepared("mpm").string() + " \"$out\"");
+                  "; sleep 60 ;;\n */greedy/*) x=x; while :; do x=$x$x; done ;;\nesac\ncp " + prepared("mpm").string() +
+                  " \"$out\"");
   const fs::path campaign =
       campaign_of(3, "time_limit = 2\nsolvers = [\"mpm\"]\n[[run]]\nname = \"greedy\"\ncase = \"column.toml\"\n"
                      "memory_limit = 60e6\nsolvers = [\"mpm\"]\n");
@@ -182,6 +183,19 @@ TEST_F(SlurmCampaign, IsNotMixedWithWhatItWasWhenItWasSubmitted) {
   play_perfect("mpm");
   const Answer now = by_slurm(campaign_of(2));
   EXPECT_EQ(now.code, 0) << now.text;
+}
+
+TEST_F(SlurmCampaign, ThatCannotStartSaysWhy) {
+  const fs::path log = folder.path() / "log";
+  const auto shell = folder.script(
+      "follow",
+      fmt::format("'{}' campaign '{}' --out '{}' --executor slurm --slurm-option=--partition=brief 2> {} & "
+                  "settle=$!\nfor i in $(seq 300); do grep -q 'jobs wait' {} && break; sleep 0.1; done\n"
+                  "kill -TERM $settle; wait $settle; code=$?; scancel --me; cat {}; exit $code",
+                  SETTLE_PROGRAM, campaign_of(1).string(), out().string(), log.string(), log.string(), log.string()));
+  const Answer answer = run_program(shell, {}, patience); // 11 minutes in a partition that gives one
+  EXPECT_EQ(answer.code, 130);
+  EXPECT_THAT(answer.text, HasSubstr("with Slurm: jobs wait: Partition"));
 }
 
 TEST_F(SlurmCampaign, WhatSlurmRefusesIsSaidAsItSaysIt) {

@@ -79,7 +79,7 @@ std::string family_html(const CampaignOutcome& outcome, const Family& family, co
   section.set("note", text_or_nothing(first.note));
   section.set("figures", figures(outcome, family));
   section.set("studies", studies(outcome, family));
-  section.set("verdicts", html_of(verdict_table(family.verdicts, facets)));
+  section.set("verdicts", html_of(verdict_table(for_reading(family.verdicts), facets)));
   return render(templates::family, section);
 }
 

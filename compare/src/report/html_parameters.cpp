@@ -1,4 +1,4 @@
-#include <set>
+#include <map>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -102,14 +102,15 @@ Table parameter_table(const RunOutcome& run) {
 }
 
 Table glossary_table(const CampaignOutcome& outcome) {
-  Table table{"Keys of the cases of this page", {{"Key", "", false}, {"Meaning [unit]", "", false}}, {}};
-  std::set<std::string> known;
+  std::map<std::string, std::string> meanings;
   for (const RunOutcome& run : outcome.runs) {
     for (const Parameter& parameter : parameters_of(run)) {
-      if (!parameter.meaning.empty() && known.insert(parameter.key).second)
-        table.rows.push_back({{.text = parameter.key}, {.text = parameter.meaning}});
+      if (!parameter.meaning.empty()) meanings.emplace(parameter.key, parameter.meaning);
     }
   }
+  Table table{"Keys of the cases of this page", {{"Key", "", false}, {"Meaning [unit]", "", false}}, {}};
+  for (const auto& [key, meaning] : meanings)
+    table.rows.push_back({{.text = key}, {.text = meaning}});
   return table;
 }
 

@@ -20,7 +20,7 @@ std::string anchor_of(const CampaignOutcome& outcome, const RunOutcome& run);
 /// The same of a refinement family's section.
 std::string anchor_of(const CampaignOutcome& outcome, const Family& family);
 
-/// The verdicts of a case, what did not pass first, marked for the script's filters.
+/// Verdicts, a line each in their order, marked for the script's filters.
 Table verdict_table(const std::vector<Verdict>& verdicts, const Facets& facets);
 /// All verdicts that did not pass, with their cases; empty where all passed.
 std::string problems_html(const CampaignOutcome& outcome, const Facets& facets);

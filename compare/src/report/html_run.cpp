@@ -121,7 +121,7 @@ std::string run_html(const CampaignOutcome& outcome, const RunOutcome& run, cons
   section.set("out_of_equilibrium", !restless.empty());
   section.set("restless", paragraphs(restless));
   section.set("overrides", paragraphs(run.overrides));
-  section.set("verdicts", html_of(verdict_table(verdicts, facets)));
+  section.set("verdicts", html_of(verdict_table(for_reading(verdicts), facets)));
   section.set("solvers", html_of(solver_table(run)));
   section.set("tails", tails(run));
   section.set("key_figures", html_of(key_figure_table(run)));

@@ -81,7 +81,10 @@ Table solver_table(const RunOutcome& run) {
                {"CPU time", "", true},
                {"Peak memory", "", true},
                {"What happened", "", false}},
-              {}};
+              {},
+              false,
+              "",
+              "titled"};
   for (const SolverRun& solver : run.solvers) {
     const bool finished = solver.status == SolverStatus::finished;
     std::int64_t steps = 0;

@@ -69,7 +69,7 @@ Table verdict_table(const std::vector<Verdict>& verdicts, const Facets& facets) 
               "verdicts",
               false,
               false};
-  for (const Verdict& verdict : worst_first(verdicts)) {
+  for (const Verdict& verdict : verdicts) {
     table.rows.push_back(verdict_row(verdict));
     table.marks.push_back(fmt::format("data-f=\"{}\"", facets.mark_of(verdict)));
   }
@@ -77,7 +77,7 @@ Table verdict_table(const std::vector<Verdict>& verdicts, const Facets& facets) 
 }
 
 std::string problems_html(const CampaignOutcome& outcome, const Facets& facets) {
-  std::vector<Verdict> open = worst_first(all_verdicts(outcome));
+  std::vector<Verdict> open = for_reading(all_verdicts(outcome));
   std::erase_if(open, [](const Verdict& verdict) { return verdict.status == Status::passed; });
   if (open.empty()) return "";
   Table table = verdict_table(open, facets);

@@ -69,6 +69,13 @@ std::vector<Verdict> worst_first(std::vector<Verdict> verdicts) {
   return verdicts;
 }
 
+std::vector<Verdict> for_reading(std::vector<Verdict> verdicts) {
+  std::stable_partition(verdicts.begin(), verdicts.end(), [](const Verdict& verdict) {
+    return verdict.kind == "check" || verdict.kind == "convergence";
+  });
+  return worst_first(std::move(verdicts));
+}
+
 std::map<Status, int> count(const std::vector<Verdict>& verdicts) {
   std::map<Status, int> counts{{Status::passed, 0}, {Status::failed, 0}, {Status::missing, 0}, {Status::error, 0}};
   for (const Verdict& verdict : verdicts)

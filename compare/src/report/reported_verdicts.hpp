@@ -15,6 +15,8 @@ int rank(Status status);
 std::vector<Verdict> all_verdicts(const CampaignOutcome& outcome);
 /// The same with what did not pass first: error, missing, failed, passed; the order within one status is kept.
 std::vector<Verdict> worst_first(std::vector<Verdict> verdicts);
+/// What did not pass first, and within one status the case's own checks before audits.
+std::vector<Verdict> for_reading(std::vector<Verdict> verdicts);
 /// How many there are of each status; every status has an entry.
 std::map<Status, int> count(const std::vector<Verdict>& verdicts);
 /// "3 failed, 1 missing, 12 passed": failures first, statuses that do not occur left out ("no verdict" if none does).

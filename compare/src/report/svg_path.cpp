@@ -161,7 +161,7 @@ SvgLine simplified(const SvgLine& line, double tolerance) {
   return left;
 }
 
-std::string coordinate(double value) {
+std::string short_coordinate(double value) {
   return text_of_tenths(tenths(value));
 }
 

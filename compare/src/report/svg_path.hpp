@@ -25,7 +25,7 @@ std::optional<std::vector<SvgLine>> parse_path(std::string_view text);
 SvgLine simplified(const SvgLine& line, double tolerance);
 
 /// A coordinate with one decimal at most: "12.3", "-.5", "7".
-std::string coordinate(double value);
+std::string short_coordinate(double value);
 
 /// A path with one decimal: the start of each line absolute, all else relative. A line of one point is a dot.
 std::string path_text(const std::vector<SvgLine>& lines);

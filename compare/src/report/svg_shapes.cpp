@@ -134,11 +134,12 @@ private:
     if (size != 15.0) look += fmt::format(" font-size=\"{}\"", short_number(size));
     xml_node copy = texts_.append_child("text");
     if (angle == 0.0) {
-      copy.append_attribute("x").set_value(coordinate(x).c_str());
-      copy.append_attribute("y").set_value(coordinate(y).c_str());
+      copy.append_attribute("x").set_value(short_coordinate(x).c_str());
+      copy.append_attribute("y").set_value(short_coordinate(y).c_str());
     } else {
       copy.append_attribute("transform")
-          .set_value(fmt::format("translate({} {})rotate({})", coordinate(x), coordinate(y), angle).c_str());
+          .set_value(
+              fmt::format("translate({} {})rotate({})", short_coordinate(x), short_coordinate(y), angle).c_str());
     }
     const std::string_view text = element.text().get();
     copy.text().set(std::string(text.substr(std::min(text.find_first_not_of(' '), text.size()))).c_str());

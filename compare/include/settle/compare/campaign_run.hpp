@@ -36,7 +36,7 @@ CampaignOutcome run_campaign(const Campaign& campaign, const Plan& plan, const R
                              const std::atomic<bool>& stop);
 
 /// What one solver's end makes of the exit code.
-exchange::ExitCode exit_code_of(SolverStatus status);
+exchange::ExitCode exit_code_after(SolverStatus status);
 
 /// The exit code of `settle`: a solver that failed goes before what is missing, that before a verdict not passed.
 exchange::ExitCode exit_code_of(const std::vector<RunOutcome>& runs, const std::vector<Family>& families = {});

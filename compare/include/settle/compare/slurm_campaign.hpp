@@ -1,6 +1,7 @@
 /// \file
-/// A campaign by Slurm: its solver runs as arrays of jobs, each `settle campaign FILE --only-run`, and a job that judges
-/// them all (`--judge-only`) when they have ended. Nothing here runs or judges: the jobs do what a person could type.
+/// A campaign by Slurm: its solver runs as arrays of jobs, each `settle campaign FILE --only-run`, and a job that
+/// judges them all (`--judge-only`) when they have ended. Nothing here runs or judges: the jobs do what a person could
+/// type.
 #pragma once
 
 #include <atomic>
@@ -36,22 +37,27 @@ Submission plan_submission(const Plan& plan, const SlurmOptions& options, const 
 
 /// Submits what of it has not been submitted yet, and notes each number as soon as Slurm has given it; what an earlier
 /// attempt has submitted without being able to note it is found by its name. Throws InputError where Slurm refuses.
-void submit(Submission& submission, const SlurmOptions& options, const std::atomic<bool>& stop);
+void submit(Submission& submission, const SlurmOptions& options);
 
 /// The numbers of all its jobs, for squeue and scancel.
 std::vector<std::string> job_ids(const Submission& submission);
 
 /// Is one of its jobs waiting or running? Throws FileError where Slurm does not say.
-bool is_at_work(const Submission& submission, const std::atomic<bool>& stop);
+bool is_at_work(const Submission& submission);
+
+/// What somebody who follows a campaign is told: how it comes along, and in words why jobs wait where that is not only
+/// for their turn.
+struct SlurmNews {
+  std::function<void(const Progress&)> progress{};
+  std::function<void(const std::string&)> waiting{};
+};
 
 /// Tells how the tasks come along until the job that judges has ended. Throws FileError where Slurm does not say, and
 /// Error with exit code 130 when `stop` becomes true: the jobs go on.
-void follow(Plan& plan, const Submission& submission, const std::function<void(const Progress&)>& tell,
-            const std::atomic<bool>& stop);
+void follow(Plan& plan, const Submission& submission, const SlurmNews& news, const std::atomic<bool>& stop);
 
 /// Notes in the record of every task whose job has ended without doing so what Slurm says of that: out of time, out of
 /// memory, cancelled, ...
-void note_lost_jobs(Plan& plan, const Submission& submission, const std::filesystem::path& folder,
-                    const std::atomic<bool>& stop);
+void note_lost_jobs(Plan& plan, const Submission& submission, const std::filesystem::path& folder);
 
 } // namespace settle::compare

@@ -2,7 +2,6 @@
 /// Slurm as its users see it: sbatch, squeue, and sacct where accounting is on.
 #pragma once
 
-#include <atomic>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,13 +24,13 @@ bool has_ended(std::string_view state);
 void require_slurm();
 
 /// Submits a job (`sbatch --parsable ARGUMENTS`); its number. Throws InputError with what sbatch says where it refuses.
-std::string submit_job(const std::vector<std::string>& arguments, const std::atomic<bool>& stop);
+std::string submit_job(const std::vector<std::string>& arguments);
 
 /// All jobs of some names that Slurm still knows, those that have ended for some minutes too, the tasks of an array one
 /// by one. Throws FileError where squeue is not there, or gets no answer.
-std::vector<SlurmJob> listed_jobs(const std::vector<std::string>& names, const std::atomic<bool>& stop);
+std::vector<SlurmJob> listed_jobs(const std::vector<std::string>& names);
 
 /// The same by number and from Slurm's accounting; nothing where there is none.
-std::vector<SlurmJob> accounted_jobs(const std::vector<std::string>& ids, const std::atomic<bool>& stop);
+std::vector<SlurmJob> accounted_jobs(const std::vector<std::string>& ids);
 
 } // namespace settle::compare

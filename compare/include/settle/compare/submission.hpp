@@ -1,5 +1,6 @@
 /// \file
-/// What of a campaign has been submitted to Slurm, noted in DIR/slurm/submission.json beside scripts and logs of its jobs.
+/// What of a campaign has been submitted to Slurm, noted in DIR/slurm/submission.json beside scripts and logs of its
+/// jobs.
 #pragma once
 
 #include <filesystem>

@@ -22,8 +22,16 @@ enum class Basis { linear, gimp, b_spline };
 enum class Integration { mixed, points };
 enum class RefillRule { sub_element, element };
 enum class Scheme { quasi_static, explicit_dynamic };
+/// How the linear systems of the quasi-static scheme are solved.
+enum class MpmLinearSolver { direct, iterative };
+/// How the explicit scheme comes to rest.
+enum class Relaxation { local, viscous };
 enum class FemElement { Q1, Q2 };
 enum class Kinematics { small, finite };
+
+/// How the finite element method solves the linear equations of an increment. automatic: `direct` in the plane, in
+/// space `multigrid` but for a few cells.
+enum class FemLinearSolver { automatic, direct, multigrid };
 enum class Quantity {
   settlement,
   displacement, ///< all components
@@ -86,12 +94,24 @@ struct EnumNames<Scheme> {
   static constexpr std::array<std::string_view, 2> names{"quasi-static", "explicit"};
 };
 template <>
+struct EnumNames<MpmLinearSolver> {
+  static constexpr std::array<std::string_view, 2> names{"direct", "iterative"};
+};
+template <>
+struct EnumNames<Relaxation> {
+  static constexpr std::array<std::string_view, 2> names{"local", "viscous"};
+};
+template <>
 struct EnumNames<FemElement> {
   static constexpr std::array<std::string_view, 2> names{"Q1", "Q2"};
 };
 template <>
 struct EnumNames<Kinematics> {
   static constexpr std::array<std::string_view, 2> names{"small", "finite"};
+};
+template <>
+struct EnumNames<FemLinearSolver> {
+  static constexpr std::array<std::string_view, 3> names{"automatic", "direct", "multigrid"};
 };
 template <>
 struct EnumNames<Quantity> {
@@ -191,16 +211,20 @@ struct Construction {
 struct QuasiStatic {
   int increments = 20;    ///< of a layer's gravity, per stage
   double residual = 1e-9; ///< relative out-of-balance force accepted per increment [-]
+  std::optional<MpmLinearSolver>
+      linear_solver{}; ///< set by `read_case`: direct in 2-D, iterative in 3-D where left out
 };
 
 struct ExplicitDynamic {
-  double damping = 0.75;        ///< local damping factor alpha [-]
-  double courant = 0.9;         ///< fraction of the stable step [-]
-  double ramp_time = 10.0;      ///< of a layer's gravity, per stage [s]
-  std::optional<double> hold{}; ///< hold after the ramp [s]; nothing: until equilibrium
-  double force_error = 0.001;   ///< sum|F_unbalanced| / sum|F_external| [-]
-  double energy_error = 0.001;  ///< kinetic energy / work of external forces [-]
-  double max_hold_time = 600.0; ///< [s]
+  Relaxation relaxation = Relaxation::local;
+  double damping = 0.75;             ///< local damping factor alpha, or share of the critical viscous damping [-]
+  double courant = 0.9;              ///< fraction of the stable step [-]
+  std::optional<double> ramp_time{}; ///< of a layer's gravity, per stage [s]; set by `read_case`: 10 where left out
+                                     ///< with local damping; nothing: at once
+  std::optional<double> hold{};      ///< hold after the ramp [s]; nothing: until equilibrium
+  double force_error = 0.001;        ///< sum|F_unbalanced| / sum|F_external| [-]
+  double energy_error = 0.001;       ///< kinetic energy / work of external forces [-]
+  double max_hold_time = 600.0;      ///< [s]
 };
 
 /// What the material point method is told.
@@ -213,6 +237,7 @@ struct Mpm {
   RefillRule refill = RefillRule::sub_element;
   bool average_stress = false;
   bool jaumann = false;
+  int threads = 1; ///< of the explicit scheme; results do not depend on it
   Scheme scheme = Scheme::quasi_static;
   QuasiStatic quasi_static{};
   ExplicitDynamic explicit_dynamic{}; ///< the table `[mpm.explicit]`
@@ -224,6 +249,8 @@ struct Fem {
   double element_size = 0.125; ///< [m]
   Kinematics kinematics = Kinematics::small;
   std::optional<int> increments{}; ///< per stage; set by `read_case`: 1 (small), 4 (finite) where left out
+  FemLinearSolver linear_solver = FemLinearSolver::automatic;
+  int threads = 1; ///< the result is the same, to the bit, for the same number
 };
 
 /// A line of material points that every solver samples: vertical in a column, any straight line across polygons.

@@ -30,6 +30,11 @@ struct Entry {
   Value value;
 };
 
+/// A key with its value in a tree made for writing.
+inline Entry entry(std::string key, Value value) {
+  return {std::move(key), {}, std::move(value)};
+}
+
 /// The value of a key, or nullptr.
 [[nodiscard]] const Value* find(const Table& table, std::string_view key);
 

@@ -27,6 +27,9 @@ double layer_area(const Geometry& geometry, int layer);
 /// Within a convex polygon, or not further than `slack` outside it [m].
 bool contains(const Polygon& polygon, const PlanePoint& point, double slack);
 
+/// Do two convex polygons, corners anticlockwise, share more than boundary? Less than `slack` across is none [m].
+bool overlap(const Polygon& one, const Polygon& other, double slack);
+
 /// The layers whose polygons hold the point, not further than `slack` outside [m]; several on an interface; ascending.
 std::vector<int> layers_at(const Geometry& geometry, const PlanePoint& point, double slack);
 

@@ -28,6 +28,8 @@ struct SolverProgram {
   std::function<std::string(const Case&)> check;
   /// Runs the case, handing over every stage at its end. Returns what it really used.
   std::function<Used(const Case&)> used;
+  /// How many threads the case is run with; may be empty: one.
+  std::function<int(const Case&)> threads;
   std::function<void(const Case&, const StageSink&)> solve;
 };
 

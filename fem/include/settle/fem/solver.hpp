@@ -18,7 +18,8 @@ using StageSink = std::function<void(const exchange::Stage&)>;
 /// Staged construction at small or finite strain (docs/fem.md).
 class Solver {
 public:
-  /// Makes the mesh. Throws InputError where this solver cannot run the case (see requirements.hpp).
+  /// Makes the mesh, and sets the number of threads with which this process runs deal.II to `fem.threads`. Throws
+  /// InputError where this solver cannot run the case (see requirements.hpp).
   explicit Solver(const exchange::Case& study);
   ~Solver();
   Solver(Solver&&) noexcept;

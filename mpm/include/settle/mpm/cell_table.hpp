@@ -13,6 +13,7 @@ namespace settle::mpm {
 struct CellTable {
   std::vector<std::uint32_t> begin;   ///< (cells + 1): the points of cell c are begin[c] ... begin[c + 1] - 1
   std::vector<std::int32_t> occupied; ///< cells with at least one point, in ascending order
+  std::uint64_t sorts = 0;            ///< how often points have changed their places
 
   /// In any of the cells first ... last - 1?
   [[nodiscard]] bool has_points(int first, int last) const {

@@ -40,14 +40,16 @@ template <class Space>
 StageReport load_quasi_static(Body<Space>& body, const StageLoad& load, const exchange::QuasiStatic& settings);
 
 /// Explicit: gravity ramps over `ramp_time`, then the body is held until both errors are met (or for `hold`); the hold
-/// starts again whenever a point is added. Throws exchange::NotConverged when `max_hold_time` is over, PointLost.
+/// starts again whenever a point is added. Under viscous relaxation without a ramp gravity acts at once. Throws
+/// exchange::NotConverged when `max_hold_time` is over, PointLost.
 template <class Space>
-StageReport load_explicit(Body<Space>& body, const StageLoad& load, const exchange::ExplicitDynamic& settings);
+StageReport load_explicit(Body<Space>& body, const StageLoad& load, const exchange::ExplicitDynamic& settings,
+                          int threads);
 
 /// Explicit, in time: from the motion's initial velocity through its duration, without damping. Velocities are those of
 /// half steps (leapfrog), so that the scheme is of second order in time. In the plane only, as motions are. Throws
 /// PointLost.
 template <class Space>
-StageReport run_motion(Body<Space>& body, const StageLoad& load, double courant);
+StageReport run_motion(Body<Space>& body, const StageLoad& load, double courant, int threads);
 
 } // namespace settle::mpm

@@ -22,6 +22,11 @@ struct PointLayout {
 /// angle. Refilled rows are a sixth of the side high, the smallest distance of two rows of points.
 PointLayout<2> triangle_layout();
 
+/// Six tetrahedra, cut as in TetrahedronSpace, each with the four Gauss points of degree 2, nearer to one node than to
+/// the others: (5 + 3 sqrt 5)/20 of it, (5 - sqrt 5)/20 of the others. Refilled rows are as high as that, the smallest
+/// distance of two rows of points.
+PointLayout<3> tetrahedron_layout();
+
 /// One square or cube with `per_side` points along each axis on a regular lattice, (i + 1/2) / per_side. Refilled rows
 /// are as high as the lattice is wide.
 template <int dim>

@@ -23,13 +23,13 @@ struct IncrementReport {
 /// Equilibrium at the end of the increment, on the grid as it deforms in the increment (updated Lagrangian): for every
 /// free node i  sum_p v_p J_p sigma_p F_p^-T g_ip = sum_p N_i m g,  with sigma_p the stress at the end of the
 /// increment, F_p the increment's deformation gradient at p, and v_p and g_ip by `StressIntegration`. The tangent is
-/// its exact derivative (unsymmetric). Eigen's SparseLU; the symbolic analysis is kept while the points touch the same
-/// nodes.
+/// its exact derivative (unsymmetric). What is known of the linear system, from its pattern to its factorisation, is
+/// kept while the points touch the same nodes.
 template <class Space>
 class QuasiStaticStep {
 public:
   /// `tolerance`: relative out-of-balance force at which an increment has converged.
-  explicit QuasiStaticStep(double tolerance);
+  explicit QuasiStaticStep(double tolerance, exchange::MpmLinearSolver solver = exchange::MpmLinearSolver::direct);
   QuasiStaticStep(QuasiStaticStep&&) noexcept;
   ~QuasiStaticStep();
 

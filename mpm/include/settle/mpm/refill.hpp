@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "settle/exchange/case.hpp"
 #include "settle/mpm/body.hpp"
@@ -25,6 +26,10 @@ struct Refill {
 /// bias. Sorts the body if anything was added. Returns the points added.
 template <class Space>
 int refill_where_due(Body<Space>& body, const Refill& refill);
+
+/// Can `refill_where_due` have something to add? By the surfaces of the columns of squares, without the points.
+template <class Space>
+bool refill_may_be_due(const Body<Space>& body, const Refill& refill, const std::vector<double>& heights);
 
 /// Ends a stage once gravity is full: `sub-element` closes every gap exactly, by whole rows and one partial row (the
 /// column below yields a little under it, so this is repeated after each new equilibrium); `element` as

@@ -9,6 +9,9 @@ namespace settle::mpm {
 /// What the solver uses of the case's values; kinematics are finite.
 exchange::Used used(const exchange::Case& study);
 
+/// How many threads `solve` may use: more than one with the explicit scheme only.
+int threads(const exchange::Case& study);
+
 /// Builds the construction layer by layer. Throws exchange::InputError (`require_solvable`, or a `drop` that has no
 /// quasi-static equilibrium), exchange::NotConverged, PointLost.
 void solve(const exchange::Case& study, const exchange::StageSink& sink);

@@ -21,6 +21,7 @@
 #include "settle/mpm/b_spline_space.hpp"
 #include "settle/mpm/box_space.hpp"
 #include "settle/mpm/gimp_space.hpp"
+#include "settle/mpm/tetrahedron_space.hpp"
 #include "settle/mpm/triangle_space.hpp"
 
 /// Calls the macro X with every space of the plane.
@@ -33,4 +34,7 @@
 /// Calls the macro X with every space.
 #define SETTLE_FOR_EVERY_SPACE(X)                                                                                      \
   SETTLE_FOR_EVERY_PLANE_SPACE(X)                                                                                      \
-  X(HexahedronSpace)
+  X(TetrahedronSpace)                                                                                                  \
+  X(HexahedronSpace)                                                                                                   \
+  X(GimpSpace<3>)                                                                                                      \
+  X(BSplineSpace<3>)

@@ -1,0 +1,100 @@
+/// \file
+/// The explicit step by the kernels: structured triangles, quadrilaterals and B-splines.
+#pragma once
+
+#include <type_traits>
+
+#include "crew.hpp"
+#include "kernel/variants.hpp"
+#include "settle/mpm/explicit_step.hpp"
+#include "settle/mpm/spaces.hpp"
+#include "strays.hpp"
+
+namespace settle::mpm {
+
+/// Has this space kernels? The others go point by point.
+template <class Space>
+inline constexpr bool has_kernels = std::is_same_v<Space, TriangleSpace> || std::is_same_v<Space, QuadrilateralSpace> ||
+                                    std::is_same_v<Space, BSplineSpace<2>>;
+
+/// The phases of ExplicitStep. Rows of squares are taken in strips that depend on the grid alone, and every sum is over
+/// a strip first: results do not depend on the number of threads.
+template <class Space>
+class KernelStep {
+public:
+  static constexpr int dim = Space::dim;
+
+  explicit KernelStep(Body<Space>& body, int threads = 1, const kernel::Variant& variant = kernel::best_variant());
+  KernelStep(const KernelStep&) = delete; // the kernels point into it
+  KernelStep& operator=(const KernelStep&) = delete;
+  ~KernelStep() = default;
+
+  void scatter(const Gravity& gravity);
+  [[nodiscard]] double stable_time_step(double courant) const;
+  [[nodiscard]] std::vector<double> column_heights() const;
+  ForceSums accelerate(double damping);
+  StepEnergy displace(double kick, double dt, double kept = 1.0);
+  void move();
+  void gather();
+
+  [[nodiscard]] NodeState<dim> node(int node) const;
+  void set_displacement(int node, const Vector<dim>& displacement);
+
+private:
+  /// What a strip's points have in common since they were sorted.
+  struct Layers {
+    std::int32_t lowest, highest;
+  };
+  struct Crossing {
+    std::size_t index;
+    bool stray;
+  };
+
+  Body<Space>& body_;
+  const kernel::Phases& phases_;
+  int threads_;
+  Crew crew_;
+  kernel::Step step_{};
+  std::uint64_t sorts_ = 0; ///< of the body, as known here
+  bool nodes_complete_ = false;
+
+  std::array<std::vector<double>, kernel::max_node_arrays> nodes_;
+  std::vector<double> overlap_nodes_, mean_, column_volume_;
+  PerAxis<std::vector<double>, dim> force_;
+  std::vector<std::vector<double>> scratch_;
+  std::vector<kernel::Scratch> scratch_of_; ///< by thread
+  std::vector<std::uint8_t> held_, touched_, active_;
+  std::vector<kernel::StripWeight> weight_;
+  std::vector<kernel::StripSums> sums_;
+  std::vector<Layers> layers_;
+  std::vector<StripStrays> strays_;
+  std::vector<kernel::Strays> stray_arrays_;
+  std::vector<std::vector<Crossing>> crossings_;
+  std::size_t n_strays_ = 0;
+
+  [[nodiscard]] static const kernel::Phases& phases_of(const kernel::Variant& variant);
+  [[nodiscard]] int strip_of_cell(int cell) const { return body_.space.row_of(cell) / step_.strip_rows; }
+  [[nodiscard]] bool may_stray() const;
+  [[nodiscard]] bool is_active(int strip) const { return active_[static_cast<std::size_t>(strip)] != 0; }
+
+  void set_grid();
+  void set_material();
+  void allocate_nodes();
+  void allocate_scratch();
+  void take_stock();
+  void point_to_points();
+  void set_gravity(const Gravity& gravity);
+  void find_force(const Gravity& gravity);
+  void activate_strips();
+  void note(std::size_t strip, std::int32_t layer);
+  void sort_out_crossings();
+  bool take_stray(std::size_t p);
+  void move_stray(int strip, std::size_t i);
+  [[nodiscard]] int locate(const Vector<dim>& x, std::size_t p) const;
+  [[nodiscard]] Vector<dim> centre_of(int cell) const;
+
+  static void crossed(void* context, int strip, bool stray, std::size_t index);
+  static void deform(void* context, std::size_t first, int count, const double* gradient, std::size_t stride);
+};
+
+} // namespace settle::mpm
