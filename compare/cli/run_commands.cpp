@@ -133,6 +133,7 @@ private:
                                    folder.string()};
     if (!options_.shard.empty()) words.insert(words.end(), {"--shard", options_.shard});
     if (!options_.costs.empty()) words.insert(words.end(), {"--costs", options_.costs});
+    if (options_.no_fields) words.emplace_back("--no-fields");
     return words;
   }
 

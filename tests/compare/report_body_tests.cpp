@@ -51,8 +51,8 @@ TEST(BodyPage, DrawsFieldsAlongEveryLine) {
   CampaignOutcome outcome = campaign_of(body_case());
   outcome.campaign.report.fields = false;
   const std::string page = html_report(outcome);
-  // The campaign's figure; four fields along two lines and their differences; settlement over stages.
-  EXPECT_EQ(occurrences(page, "<svg"), 1U + 16U + 1U);
+  // The campaign's figure; four fields along two lines and their differences.
+  EXPECT_EQ(occurrences(page, "<svg"), 1U + 16U);
   EXPECT_THAT(page, HasSubstr("Distance along probes.axis [m]"));
   EXPECT_THAT(page, HasSubstr("Distance along probes.level [m]"));
   EXPECT_THAT(page, HasSubstr("Eq. (1): Eq. (1) is for a column"));

@@ -13,6 +13,7 @@
 #include "convergence_figure.hpp"
 #include "difference_chart.hpp"
 #include "gnuplot.hpp"
+#include "history_chart.hpp"
 #include "html_parts.hpp"
 #include "perfect_body.hpp"
 #include "report_fixture.hpp"
@@ -87,13 +88,18 @@ TEST(DifferenceChart, SaysWhatHasNoValueAndWhatHasNoExactOne) {
 }
 
 TEST(History, HasTheLargestSettlementOfEveryStageBesideTheExactOne) {
-  const CampaignOutcome outcome = synthetic_campaign({.runs = 1, .mpm_error = 0.0});
-  const std::string page = history_html(outcome, outcome.runs[0]);
-  const ExactColumn exact(outcome.runs[0].study, Kinematics::finite);
-  for (int stage = 1; stage <= 5; ++stage)
-    EXPECT_THAT(page, HasSubstr(fmt::format("{:.4g}", exact.largest_settlement(stage)))) << stage;
-  EXPECT_THAT(page, HasSubstr("exact, finite strain"));
-  EXPECT_THAT(page, HasSubstr("exact, small strain"));
+  const RunOutcome run = finished_run("run", {.mpm_error = 0.0});
+  const Chart chart = history_chart(run);
+  ASSERT_EQ(chart.series.size(), 4U); // both solvers, both models
+  const ExactColumn finite(run.study, Kinematics::finite), small(run.study, Kinematics::small);
+  for (const ChartSeries& series : chart.series) {
+    const bool is_small = series.label.starts_with("FEM") || series.label.starts_with("exact, small");
+    ASSERT_EQ(series.pieces.at(0).size(), 5U) << series.label;
+    for (const ChartPoint& point : series.pieces[0])
+      EXPECT_NEAR(point.y, (is_small ? small : finite).largest_settlement(int(std::lround(point.x))), 1e-12)
+          << series.label;
+  }
+  EXPECT_THAT(chart.series[0].label, HasSubstr(fmt::format("MPM: {:.4f} m", finite.largest_settlement(5))));
 }
 
 TEST(History, OfABodyTakesTheFormulas) {
@@ -101,7 +107,14 @@ TEST(History, OfABodyTakesTheFormulas) {
   outcome.runs.push_back(perfect_body_run(body_case()));
   EXPECT_THAT(history_html(outcome, outcome.runs[0]), HasSubstr("exact"));
   outcome.runs[0].study.motion.reset();
-  EXPECT_THAT(history_html(outcome, outcome.runs[0]), HasSubstr("exact: nothing is known to be exact"));
+  EXPECT_THAT(history_html(outcome, outcome.runs[0]), HasSubstr("Not drawn: exact: nothing is known to be exact"));
+}
+
+TEST(History, OfFewStagesIsATableAndOfMoreADrawing) {
+  const CampaignOutcome few = synthetic_campaign({.runs = 1, .layers = 5});
+  EXPECT_THAT(history_html(few, few.runs[0]), testing::AllOf(HasSubstr("<table"), Not(HasSubstr("<svg"))));
+  const CampaignOutcome more = synthetic_campaign({.runs = 1, .layers = 6});
+  EXPECT_THAT(history_html(more, more.runs[0]), testing::AllOf(HasSubstr("<svg"), Not(HasSubstr("<table"))));
 }
 
 TEST(History, IsLeftOutForASingleStage) {

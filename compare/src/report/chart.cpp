@@ -7,6 +7,7 @@
 
 #include "format.hpp"
 #include "html_table.hpp"
+#include "svg_path.hpp"
 #include "templates.hpp"
 
 namespace settle::compare::report {
@@ -31,29 +32,36 @@ void reach(ChartAxis& axis, double ChartPoint::*coordinate_of, const std::vector
   if (axis.highest > 0.0) axis.highest += room;
 }
 
-std::string series_svg(const ChartSeries& series, const ChartAxis& x, const ChartAxis& y) {
-  std::string path;
+/// A line for each piece, without points that nobody would miss, or a dot for each point.
+std::vector<SvgLine> lines_of(const ChartSeries& series, const ChartAxis& x, const ChartAxis& y) {
+  constexpr double unseen = 0.5; // pixels
+  std::vector<SvgLine> lines;
   for (const auto& piece : series.pieces) {
-    for (std::size_t i = 0; i < piece.size(); ++i)
-      path += fmt::format("{}{} {}{}", i == 0 || !series.line ? "M" : "L", coordinate(x.pixel(piece[i].x)),
-                          coordinate(y.pixel(piece[i].y)), series.line ? "" : "h0");
+    SvgLine line;
+    for (const ChartPoint& point : piece)
+      line.points.push_back({x.pixel(point.x), y.pixel(point.y)});
+    if (series.line && !piece.empty()) lines.push_back(simplified(line, unseen));
+    for (std::size_t i = 0; !series.line && i < piece.size(); ++i)
+      lines.push_back({.points = {line.points[i]}, .closed = false});
   }
-  const std::string pen = series.line
-                              ? fmt::format("stroke-width=\"1.5\"{}", series.dashed ? " stroke-dasharray=\"6 4\"" : "")
-                              : std::string("stroke-width=\"5\" stroke-linecap=\"round\"");
-  return fmt::format(R"(<path d="{}" fill="none" stroke="{}" {}/>)", path, series.colour, pen);
+  return lines;
+}
+
+std::string series_svg(const ChartSeries& series, const ChartAxis& x, const ChartAxis& y) {
+  const char* kind = !series.line ? "spots" : series.dashed ? "dashes" : "line";
+  return fmt::format(R"(<path class={} stroke="{}" d="{}"/>)", kind, series.colour, path_text(lines_of(series, x, y)));
 }
 
 std::string chart_svg(const Chart& chart) {
   std::string content;
   if (chart.x.lowest < 0.0)
-    content += fmt::format(R"(<path d="M{0} {1}V{2}" stroke="#bbb"/>)", coordinate(chart.x.pixel(0.0)),
+    content += fmt::format(R"(<path class="axis" d="M{0} {1}V{2}"/>)", coordinate(chart.x.pixel(0.0)),
                            coordinate(chart.y.from), coordinate(chart.y.to));
   content += axes_svg(chart.x, chart.y);
   for (const ChartSeries& each : chart.series)
     content += series_svg(each, chart.x, chart.y);
-  return fmt::format(R"(<svg viewBox="0 0 {} {}" role="img" aria-label="{}" )"
-                     R"(font-size="15" fill="#333">{}</svg>)",
+  return fmt::format(R"(<svg viewBox="0 0 {} {}" role="img" aria-label="{}">)"
+                     R"({}</svg>)",
                      coordinate(width), coordinate(top + plot_height + below), escaped(chart.title), content);
 }
 

@@ -7,14 +7,15 @@
 #include <fmt/format.h>
 
 #include "format.hpp"
+#include "svg_path.hpp"
 
 namespace settle::compare::report {
 
 namespace {
 
-constexpr double tic = 4.0;              // pixels
-constexpr double pixels_of_label = 52.0; // room that a label along a horizontal axis takes
-constexpr double pixels_of_row = 34.0;
+constexpr double tic = 4.0;               // pixels
+constexpr double pixels_of_label = 100.0; // room that a label along a horizontal axis takes
+constexpr double pixels_of_row = 100.0;
 
 int most_labels(const ChartAxis& axis, double room) {
   return std::max(2, static_cast<int>(std::abs(axis.to - axis.from) / room) + 1);
@@ -28,15 +29,15 @@ std::string line(double x1, double y1, double x2, double y2) {
 }
 
 std::string path(const std::string& lines) {
-  return fmt::format(R"(<path d="{}" fill="none" stroke="#555"/>)", lines);
+  return fmt::format(R"(<path class="axis" d="{}"/>)", lines);
 }
 
 std::string text(double x, double y, const std::string& content) {
-  return fmt::format(R"(<text x="{}" y="{}">{}</text>)", coordinate(x), coordinate(y), escaped(content));
+  return fmt::format(R"(<text x={} y={}>{}</text>)", coordinate(x), coordinate(y), escaped(content));
 }
 
 std::string anchored(const char* anchor, const std::string& texts) {
-  return fmt::format(R"(<g text-anchor="{}">{}</g>)", anchor, texts);
+  return fmt::format(R"(<g class={}>{}</g>)", anchor, texts);
 }
 
 /// A multiple of three, by which values that are tiny or huge are written; 0 for those that are neither.
@@ -63,7 +64,7 @@ std::string vertical_axis(const ChartAxis& axis, double x) {
   }
   const double middle = 0.5 * (axis.from + axis.to);
   return path(lines) + anchored("end", labels) +
-         fmt::format(R"svg(<text transform="translate(12 {}) rotate(-90)" text-anchor="middle">{}</text>)svg",
+         fmt::format(R"svg(<text transform="translate(12 {}) rotate(-90)" class=middle>{}</text>)svg",
                      coordinate(middle), escaped(all.title));
 }
 
@@ -116,12 +117,6 @@ std::string axis_svg(const ChartAxis& x, double y) {
 
 std::string axes_svg(const ChartAxis& x, const ChartAxis& y) {
   return axis_svg(x, y.from) + vertical_axis(y, x.from);
-}
-
-std::string coordinate(double pixels) {
-  std::string digits = fmt::format("{:.1f}", pixels);
-  if (digits.ends_with(".0")) digits.erase(digits.size() - 2);
-  return digits == "-0" ? "0" : digits;
 }
 
 std::string escaped(const std::string& text) {

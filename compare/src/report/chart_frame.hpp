@@ -32,8 +32,6 @@ std::string axes_svg(const ChartAxis& x, const ChartAxis& y);
 /// Tics and title below a horizontal axis alone.
 std::string axis_svg(const ChartAxis& x, double y);
 
-/// A coordinate as SVG: a tenth of a pixel.
-std::string coordinate(double pixels);
 /// A text fit to stand in SVG and HTML.
 std::string escaped(const std::string& text);
 

@@ -16,7 +16,7 @@ namespace {
 
 using exchange::Quantity;
 
-constexpr std::size_t spots_of_a_curve = 48;
+constexpr std::size_t spots_of_a_curve = 45;
 
 /// Where a solver is compared, and how samples become a profile.
 struct Place {
@@ -81,8 +81,8 @@ void add_error(const Place& place, const SolverRun& solver, Chart& chart) {
   const CurveStyle style = style_of(solver.solver);
   add_series({.label = label,
               .colour = style.colour,
-              .line = false,
-              .dashed = false,
+              .line = true,
+              .dashed = solver.solver != "mpm",
               .pieces = pieces_of(place.profile(samples))},
              chart);
 }
@@ -114,7 +114,7 @@ Chart chart_of(const Place& place) {
   const Axis axis = axis_of(place.quantity);
   const bool is_tensor_or_vector = place.quantity == Quantity::displacement || place.quantity == Quantity::stress;
   Chart chart;
-  chart.title = fmt::format("{}: differences, {}, last stage", axis.title, place.run.name);
+  chart.title = axis.title + ": differences";
   chart.x.title = fmt::format("Difference of {}{}", name_of(place.quantity), is_tensor_or_vector ? ", norm" : "");
   chart.x.unit = axis.unit;
   chart.keeps_y = true;
@@ -134,17 +134,14 @@ Chart chart_of(const Place& place) {
 
 Chart difference_chart(const RunOutcome& run, Quantity quantity) {
   Chart chart = chart_of({run, quantity, {}});
-  chart.y = {.lowest = 0.0,
-             .highest = 1.02 * run.study.geometry.height,
-             .title = "Height in the design geometry",
-             .unit = "m"};
+  chart.y = {.lowest = 0.0, .highest = 1.02 * run.study.geometry.height, .title = "Height", .unit = "m"};
   return chart;
 }
 
 Chart difference_chart(const RunOutcome& run, const std::string& line, Quantity quantity) {
   Chart chart = chart_of({run, quantity, line});
   const exchange::Probes& probes = run.study.probes.at(line);
-  chart.title = fmt::format("{}: differences along probes.{}, {}, last stage", axis_of(quantity).title, line, run.name);
+  chart.title = fmt::format("{}: differences along probes.{}", axis_of(quantity).title, line);
   const double length = std::hypot(probes.to[0] - probes.from[0], probes.to[1] - probes.from[1]);
   chart.y = {
       .lowest = 0.0, .highest = 1.02 * length, .title = fmt::format("Distance along probes.{}", line), .unit = "m"};

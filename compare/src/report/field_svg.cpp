@@ -8,6 +8,7 @@
 
 #include "chart_frame.hpp"
 #include "raster.hpp"
+#include "svg_path.hpp"
 
 namespace settle::compare::report {
 

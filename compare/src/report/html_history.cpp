@@ -4,9 +4,9 @@
 
 #include <fmt/format.h>
 
-#include "chart.hpp"
 #include "curve_styles.hpp"
 #include "format.hpp"
+#include "history_chart.hpp"
 #include "html_parts.hpp"
 #include "profiles.hpp"
 #include "settle/compare/exact_solution.hpp"
@@ -103,27 +103,20 @@ ChartSeries series_of(const History& history) {
   return series;
 }
 
-/// Evenly chosen of so many stages, the first and the last among them.
-std::vector<std::size_t> listed(std::size_t stages) {
-  constexpr std::size_t most = 10; // the drawing has all of them
-  std::vector<std::size_t> chosen;
-  const std::size_t count = std::min(stages, most);
-  for (std::size_t k = 0; k < count; ++k)
-    chosen.push_back(count == 1 ? 0 : k * (stages - 1) / (count - 1));
-  return chosen;
-}
-
-Table table_of(const std::vector<History>& histories) {
-  Table table{"Largest settlement after each stage", {{"Stage", "", false}}, {}};
+/// The numbers of a chart whose series have a finite value at every stage or end early.
+Table table_of(const Chart& chart) {
+  Table table{chart.title + " [m]", {{"Stage", "", false}}, {}};
   std::size_t stages = 0;
-  for (const History& history : histories) {
-    table.columns.push_back({history.label, "m", true});
-    stages = std::max(stages, history.values.size());
+  for (const ChartSeries& series : chart.series) {
+    table.columns.push_back({series.label.substr(0, series.label.find(':')), "", true});
+    stages = std::max(stages, series.pieces[0].size());
   }
-  for (const std::size_t i : listed(stages)) {
+  for (std::size_t i = 0; i < stages; ++i) {
     std::vector<Cell> row{{.text = std::to_string(i + 1)}};
-    for (const History& history : histories)
-      row.push_back({.text = i < history.values.size() ? number(history.values[i], 4) : std::string(no_value)});
+    for (const ChartSeries& series : chart.series) {
+      const auto& points = series.pieces[0];
+      row.push_back({.text = i < points.size() ? number(points[i].y, 4) : std::string(no_value)});
+    }
     table.rows.push_back(std::move(row));
   }
   return table;
@@ -131,25 +124,32 @@ Table table_of(const std::vector<History>& histories) {
 
 } // namespace
 
-std::string history_html(const CampaignOutcome& outcome, const RunOutcome& run) {
-  if (run.study.construction.layers < 2) return {};
+Chart history_chart(const RunOutcome& run) {
   Chart chart;
   std::vector<History> histories;
   for (const SolverRun& solver : run.solvers)
     if (solver.result) histories.push_back(of_solver(solver));
-  if (histories.empty()) return {};
+  if (histories.empty()) return chart;
   for (History& exact : of_exact(run, chart.missing))
     histories.push_back(std::move(exact));
   for (const History& history : histories) {
     chart.series.push_back(series_of(history));
     drop_points_that_are_not_finite(chart.series.back(), chart.missing);
+    if (!history.values.empty()) chart.series.back().label += fmt::format(": {} m", number(history.values.back(), 4));
   }
-  chart.id = anchor_of(outcome, run) + "-history";
-  chart.title = fmt::format("Largest settlement after each stage, {}", run.name);
+  chart.title = "Largest settlement after each stage";
   chart.x = {.title = "Stage"};
-  chart.y = {.title = "Largest settlement since placement", .unit = "m"};
-  return chart_html(std::move(chart)) + "<details open><summary>Largest settlement in numbers</summary>" +
-         html_of(table_of(histories)) + "</details>";
+  chart.y = {.title = "Largest settlement", .unit = "m"};
+  return chart;
+}
+
+std::string history_html(const CampaignOutcome& outcome, const RunOutcome& run) {
+  constexpr int few = 5; // stages whose numbers are read more easily than a drawing
+  Chart chart = history_chart(run);
+  if (run.study.construction.layers < 2 || chart.series.empty()) return {};
+  if (run.study.construction.layers <= few && chart.missing.empty()) return html_of(table_of(chart));
+  chart.id = anchor_of(outcome, run) + "-history";
+  return chart_html(std::move(chart));
 }
 
 } // namespace settle::compare::report
