@@ -10,7 +10,7 @@ settle_add_test(report_tests
     ${CMAKE_CURRENT_LIST_DIR}/report_formula_tests.cpp
     ${CMAKE_CURRENT_LIST_DIR}/report_page_tests.cpp
     ${CMAKE_CURRENT_LIST_DIR}/report_raster_tests.cpp
-  ALONE ${CMAKE_CURRENT_LIST_DIR}/report_page_tests.cpp
+  ALONE ${CMAKE_CURRENT_LIST_DIR}/report_field_tests.cpp ${CMAKE_CURRENT_LIST_DIR}/report_page_tests.cpp
   LIBRARIES settle::compare fmt::fmt nlohmann_json::nlohmann_json pugixml::pugixml ZLIB::ZLIB
   LABELS compare)
 target_include_directories(report_tests PRIVATE ${PROJECT_SOURCE_DIR}/compare/src/report)
