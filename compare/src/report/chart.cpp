@@ -55,14 +55,15 @@ std::string series_svg(const ChartSeries& series, const ChartAxis& x, const Char
 std::string chart_svg(const Chart& chart) {
   std::string content;
   if (chart.x.lowest < 0.0)
-    content += fmt::format(R"(<path class="axis" d="M{0} {1}V{2}"/>)", coordinate(chart.x.pixel(0.0)),
-                           coordinate(chart.y.from), coordinate(chart.y.to));
+    content += fmt::format(R"(<path class="axis" d="M{0} {1}V{2}"/>)", short_coordinate(chart.x.pixel(0.0)),
+                           short_coordinate(chart.y.from), short_coordinate(chart.y.to));
   content += axes_svg(chart.x, chart.y);
   for (const ChartSeries& each : chart.series)
     content += series_svg(each, chart.x, chart.y);
   return fmt::format(R"(<svg viewBox="0 0 {} {}" role="img" aria-label="{}">)"
                      R"({}</svg>)",
-                     coordinate(width), coordinate(top + plot_height + below), escaped(chart.title), content);
+                     short_coordinate(width), short_coordinate(top + plot_height + below), escaped(chart.title),
+                     content);
 }
 
 data key_of(const Chart& chart) {

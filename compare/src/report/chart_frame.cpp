@@ -24,8 +24,8 @@ int most_labels(const ChartAxis& axis, double room) {
 /// Along one of the axes.
 std::string line(double x1, double y1, double x2, double y2) {
   const bool is_horizontal = y1 == y2;
-  return fmt::format("M{} {}{}{}", coordinate(x1), coordinate(y1), is_horizontal ? 'H' : 'V',
-                     coordinate(is_horizontal ? x2 : y2));
+  return fmt::format("M{} {}{}{}", short_coordinate(x1), short_coordinate(y1), is_horizontal ? 'H' : 'V',
+                     short_coordinate(is_horizontal ? x2 : y2));
 }
 
 std::string path(const std::string& lines) {
@@ -33,7 +33,7 @@ std::string path(const std::string& lines) {
 }
 
 std::string text(double x, double y, const std::string& content) {
-  return fmt::format(R"(<text x={} y={}>{}</text>)", coordinate(x), coordinate(y), escaped(content));
+  return fmt::format(R"(<text x={} y={}>{}</text>)", short_coordinate(x), short_coordinate(y), escaped(content));
 }
 
 std::string anchored(const char* anchor, const std::string& texts) {
@@ -65,7 +65,7 @@ std::string vertical_axis(const ChartAxis& axis, double x) {
   const double middle = 0.5 * (axis.from + axis.to);
   return path(lines) + anchored("end", labels) +
          fmt::format(R"svg(<text transform="translate(12 {}) rotate(-90)" class=middle>{}</text>)svg",
-                     coordinate(middle), escaped(all.title));
+                     short_coordinate(middle), escaped(all.title));
 }
 
 } // namespace

@@ -62,21 +62,22 @@ std::string address_of(const PanelFrame& frame, const FieldLeg& leg, const Value
 
 std::string image(double x, double y, double width, double height, const std::string& address) {
   return fmt::format(R"(<image x="{}" y="{}" width="{}" height="{}" preserveAspectRatio="none" href="{}"/>)",
-                     coordinate(x), coordinate(y), coordinate(width), coordinate(height), address);
+                     short_coordinate(x), short_coordinate(y), short_coordinate(width), short_coordinate(height),
+                     address);
 }
 
 /// `access`: attributes that say what it is to those who do not see it.
 std::string svg(double width, double height, const std::string& access, const std::string& content) {
   return fmt::format(R"(<svg viewBox="0 0 {0} {1}" width="{0}" {2} font-size="12" fill="#333">{3}</svg>)",
-                     coordinate(width), coordinate(height), access, content);
+                     short_coordinate(width), short_coordinate(height), access, content);
 }
 
 std::string design_svg(const PanelFrame& frame, const ChartAxis& x, const ChartAxis& y) {
   std::string path;
   for (const std::vector<PlanePoint>& outline : frame.design) {
     for (std::size_t i = 0; i < outline.size(); ++i)
-      path += fmt::format("{}{} {}", i == 0 ? "M" : "L", coordinate(x.pixel(outline[i][0])),
-                          coordinate(y.pixel(outline[i][1])));
+      path += fmt::format("{}{} {}", i == 0 ? "M" : "L", short_coordinate(x.pixel(outline[i][0])),
+                          short_coordinate(y.pixel(outline[i][1])));
     path += "Z";
   }
   return fmt::format(R"(<path d="{}" fill="none" stroke="#777" stroke-width="0.7" stroke-dasharray="3 3"/>)", path);
