@@ -85,8 +85,8 @@ std::map<std::uint64_t, std::vector<double>> by_id(const Points<dim>& points) {
   for (std::size_t p = 0; p < points.size(); ++p) {
     auto& own = all[points.id[p]];
     own = {points.mass[p], points.volume[p]};
-    for (const auto& group : {points.position, points.velocity})
-      for (const auto& values : group)
+    for (const auto* group : {&points.position, &points.velocity})
+      for (const auto& values : *group)
         own.push_back(values[p]);
     for (const auto& values : points.stress)
       own.push_back(values[p]);
