@@ -23,6 +23,30 @@ constexpr int max_closing_increments = 200;
        .remedy = "take more mpm.quasi_static.increments, smaller elements, or mpm.scheme = \"explicit\""});
 }
 
+/// Whether a node that `support_motion` moves belongs to a cell with points in it.
+template <class Space>
+bool is_touched(const Body<Space>& body, const Eigen::VectorXd& support_motion) {
+  for (const int cell : body.cells.occupied) {
+    const auto stencil = body.space.cell_average(cell);
+    for (int i = 0; i < stencil.size(); ++i)
+      if (support_motion.segment<Space::dim>(Space::dim * stencil.node(i)).any()) return true;
+  }
+  return false;
+}
+
+/// Supports stand still in space while what they push moves away: without this check the body would spring back.
+template <class Space>
+void require_touched(const Body<Space>& body, const StageLoad& load, const Eigen::VectorXd& support_motion) {
+  if (!support_motion.any() || is_touched(body, support_motion)) return;
+  throw exchange::NotConverged(
+      {.where = fmt::format("stage {}", load.layer),
+       .what = "the supports that move have lost the body: no element at their nodes has a point left in it",
+       .given = fmt::format("a motion of up to {:g} m to go, elements of {:g} m",
+                            support_motion.lpNorm<Eigen::Infinity>(), body.space.size()),
+       .allowed = "motions that leave points in the elements next to the support, as supports stand still in space",
+       .remedy = "take larger elements (mpm.element_size) or a smaller motion"});
+}
+
 /// Brings the body into equilibrium at this gravity, in halved parts where Newton fails on the whole, while supports
 /// move by `support_motion`.
 template <class Space>
@@ -30,6 +54,7 @@ void balance(Body<Space>& body, QuasiStaticStep<Space>& step, const StageLoad& l
              StageReport& stage, Eigen::VectorXd support_motion = {}) {
   double fraction = 1.0;
   while (true) {
+    require_touched(body, load, support_motion);
     const IncrementReport report = step.advance(body, gravity, fraction, fraction * support_motion);
     stage.linear_solves += report.linear_solves;
     if (!report.converged) {

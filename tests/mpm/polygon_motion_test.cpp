@@ -172,6 +172,20 @@ TEST(PolygonMotion, ProbesSeeLinearFieldsExactly) {
   }
 }
 
+/// Its nodes stand still in space: once what the plate has pressed is below their elements, nothing holds the block.
+TEST(PolygonMotion, APlateThatHasLeftTheElementsAtItsNodesIsReported) {
+  const auto study =
+      exchange::parse_case(square(rollers + side("[1.0, 1.0]", "[0.0, 1.0]", "held = 'y'\nmotion = 'exact'") +
+                                  "[motion]\ndisplacement = ['0', '-0.5 * Y']\n"),
+                           "press.toml", {"mpm.element_size=0.125", "mpm.quasi_static.increments=4"});
+  try {
+    stages_of(study);
+    FAIL() << "the block sprang back unseen";
+  } catch (const exchange::NotConverged& error) {
+    EXPECT_THAT(error.what(), HasSubstr("the supports that move have lost the body"));
+  }
+}
+
 /// Two layers on a slope of any angle weigh what their polygons weigh, and the base carries it.
 TEST(PolygonMotion, MassAndReactionAreThoseOfThePolygons) {
   auto study = exchange::parse_case(square(side("[0.0, 0.0]", "[1.0, 0.0]", ""), "10.0"), "wedge.toml",
