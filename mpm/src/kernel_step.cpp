@@ -213,7 +213,9 @@ void KernelStep<Space>::activate_strips() {
     const Size s = size_of(strip);
     const bool active = (strip < step_.n_strips && touched_[s] != 0) || (strip > 0 && touched_[s - 1] != 0);
     if (active_[s] != 0 && !active) {
-      const Size columns = size_of(step_.node_columns), first = size_of(strip * step_.strip_rows) * columns;
+      const Size columns = size_of(step_.node_columns);
+      const Size first =
+          size_of(std::min(step_.rows, strip * step_.strip_rows)) * columns; // the last strip may be short
       const int end =
           strip == step_.n_strips ? step_.rows + step_.overlap : std::min(step_.rows, (strip + 1) * step_.strip_rows);
       for (int k = 0; k < step_.n_node_arrays; ++k)

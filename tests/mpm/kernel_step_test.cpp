@@ -205,6 +205,21 @@ TYPED_TEST(KernelStepOf, GivesTheSameBitsWithEveryInstructionSet) {
     EXPECT_EQ(by_id(after_steps<TypeParam>(1, *variant)), by_id(best)) << variant->name;
 }
 
+/// Grids of many heights, so that the last strip is a whole one or a short one.
+TYPED_TEST(KernelStepOf, EmptyRowsAboveTheBodyChangeNothing) {
+  const auto moved = [](int rows) {
+    auto body = stirred_block<TypeParam>({.block = {.columns = 129, .rows = rows, .filled_rows = 2}}, 0.1);
+    KernelStep<TypeParam> step(body);
+    for (int k = 0; k < 3; ++k)
+      advance(step, ramped);
+    step.gather();
+    return by_id(body.points);
+  };
+  const auto low = moved(5);
+  for (const int rows : {64, 127, 128, 129, 130, 131})
+    EXPECT_EQ(moved(rows), low) << rows;
+}
+
 /// Points that leave the grid are missed, also those that have strayed before.
 TYPED_TEST(KernelStepOf, APointThatLeavesTheGridIsLost) {
   auto body = stirred_block<TypeParam>({.block = {.supported = false}}, 0.0);
