@@ -1,5 +1,5 @@
 /// \file
-/// What a placed cell remembers: where it was placed, displacement since, and stress.
+/// What a placed cell remembers: where it was placed, displacement since, stress, and what its soil remembers.
 #pragma once
 
 #include <vector>
@@ -10,6 +10,8 @@
 #include <deal.II/grid/tria_accessor.h>
 #include <deal.II/grid/tria_iterator.h>
 
+#include "soil/soil_point.hpp"
+
 namespace settle::fem {
 
 /// All members are empty until the cell is placed.
@@ -18,6 +20,7 @@ struct CellHistory {
   std::vector<dealii::Point<dim>> shape;             ///< (support points of the geometry) as placed [m]
   std::vector<double> displacement;                  ///< (dofs per cell) since placement [m]
   std::vector<dealii::SymmetricTensor<2, 3>> stress; ///< (quadrature points) Cauchy [Pa]
+  std::vector<StateVariables> variables;             ///< (quadrature points)
 
   [[nodiscard]] bool placed() const { return !displacement.empty(); }
 };
@@ -32,9 +35,11 @@ public:
 
   /// Stress-free and undisplaced from here on.
   template <class Cell>
-  void place(const Cell& cell, std::vector<dealii::Point<dim>> shape, unsigned n_dofs, unsigned n_quadrature_points) {
+  void place(const Cell& cell, std::vector<dealii::Point<dim>> shape, unsigned n_dofs, unsigned n_quadrature_points,
+             const StateVariables& variables) {
     of(cell) = {std::move(shape), std::vector<double>(n_dofs),
-                std::vector<dealii::SymmetricTensor<2, 3>>(n_quadrature_points)};
+                std::vector<dealii::SymmetricTensor<2, 3>>(n_quadrature_points),
+                std::vector<StateVariables>(n_quadrature_points, variables)};
   }
 
   template <class Cell>

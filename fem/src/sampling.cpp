@@ -74,7 +74,9 @@ exchange::SamplePoints native_points(const StagedProblem<dim>& problem) {
       append(points.position, values.quadrature_point(q) + displacement[q]);
       append(points.displacement, displacement[q]);
       append(points.stress, six_components(history.stress[q]));
-      points.density.push_back(problem.density() * measures[q].density_ratio);
+      if (problem.yields()) points.plastic_strain.push_back(history.variables[q].plastic_strain);
+      if (problem.hardens()) points.preconsolidation_pressure.push_back(history.variables[q].preconsolidation_pressure);
+      points.density.push_back(problem.density(layer_of(cell)) * measures[q].density_ratio);
       points.volume.push_back(values.JxW(q) * measures[q].volume_ratio);
     }
   }
@@ -108,7 +110,7 @@ double highest_point(const StagedProblem<dim>& problem) {
     for (const unsigned v : cell->vertex_indices()) {
       const dealii::Point<dim> unit = dealii::GeometryInfo<dim>::unit_cell_vertex(v);
       double height = problem.mapping().transform_unit_to_real_cell(cell, unit)[dim - 1];
-      if (!problem.formulation().linear()) height += displacement_at(problem, cell, unit)[dim - 1];
+      if (!problem.formulation().frozen()) height += displacement_at(problem, cell, unit)[dim - 1];
       highest = std::max(highest, height);
     }
   return highest;

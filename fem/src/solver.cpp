@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "pictures.hpp"
+#include "point_paths.hpp"
 #include "sampling.hpp"
 #include "settle/exchange/errors.hpp"
 #include "settle/fem/requirements.hpp"
@@ -90,9 +91,9 @@ public:
 
   [[nodiscard]] exchange::Used used() const override {
     exchange::Used used = exchange::used_values(study_, study_.fem.kinematics);
-    used.youngs_modulus = problem_.constants().youngs_modulus;
-    used.poissons_ratio = problem_.constants().poissons_ratio;
-    used.density = problem_.density();
+    used.youngs_modulus = study_.fill().youngs_modulus;
+    used.poissons_ratio = study_.fill().poissons_ratio;
+    used.density = study_.fill().density;
     used.gravity = problem_.gravity();
     used.dimension = dim;
     return used;
@@ -152,6 +153,7 @@ private:
     stage.out_of_balance = ramp.last.out_of_balance();
     stage.in_equilibrium = ramp.last.reached();
     stage.base_reaction = ramp.last.base_reaction;
+    stage.support_reactions = ramp.last.support_reactions;
     stage.points = native_points(problem_);
     stage.probes = probes_.sample(problem_);
     for (int placed = 1; placed <= layer; ++placed)
@@ -168,10 +170,33 @@ private:
   ProbeLines<dim> probes_;
 };
 
+/// Single material points.
+class Paths final : public Solver::Implementation {
+public:
+  explicit Paths(exchange::Case study) : study_(std::move(study)) {}
+
+  [[nodiscard]] exchange::Used used() const override {
+    exchange::Used used = exchange::used_values(study_, study_.fem.kinematics);
+    used.youngs_modulus = study_.fill().youngs_modulus;
+    used.poissons_ratio = study_.fill().poissons_ratio;
+    used.density = study_.fill().density;
+    used.gravity = study_.gravity;
+    used.dimension = study_.geometry.dimension;
+    return used;
+  }
+  void build(const StageSink& on_stage, const std::optional<std::filesystem::path>& /*pictures*/) override {
+    follow_paths(study_, on_stage);
+  }
+
+private:
+  exchange::Case study_;
+};
+
 /// deal.II knows one number of threads in a process.
 std::unique_ptr<Solver::Implementation> make_implementation(const exchange::Case& study) {
   require_solvable(study);
   dealii::MultithreadInfo::set_thread_limit(static_cast<unsigned>(study.fem.threads));
+  if (study.geometry.shape == exchange::Shape::point) return std::make_unique<Paths>(study);
   if (study.geometry.dimension == 3) return std::make_unique<Construction<3>>(study);
   return std::make_unique<Construction<2>>(study);
 }

@@ -86,14 +86,15 @@ template <int dim>
 auto StagedProblem<dim>::force_per_volume(const Cell& cell, const dealii::FEValues<dim>& values) const
     -> std::vector<dealii::Tensor<1, dim>> {
   dealii::Tensor<1, dim> weight;
-  weight[dim - 1] = -density_ * gravity_ * loading_.gravity_factor(layer_of(cell), target_);
+  const double density = of_layer(densities_, layer_of(cell));
+  weight[dim - 1] = -density * gravity_ * loading_.gravity_factor(layer_of(cell), target_);
   std::vector<dealii::Tensor<1, dim>> forces(values.n_quadrature_points, weight);
   if (!loading_.drives()) return forces;
   for (const unsigned q : values.quadrature_point_indices()) {
     const dealii::Point<dim>& position = values.quadrature_point(q);
     const exchange::PlanePoint driving = loading_.driving_force({{position[0], position[1]}, layer_of(cell)}, target_);
     for (unsigned axis = 0; axis < 2; ++axis)
-      forces[q][axis] += density_ * driving[axis];
+      forces[q][axis] += density * driving[axis];
   }
   return forces;
 }
@@ -136,7 +137,9 @@ void StagedProblem<dim>::accept() {
       [&](const Cell& cell, const dealii::FEValues<dim>& values, Contribution&) {
         const Trial<dim> trial = trial_of(cell, values);
         CellHistory<dim>& history = history_.of(cell);
+        std::vector<StateVariables> variables = formulation_->variables(trial); // from those at the start
         history.stress = formulation_->stress(trial).value();
+        history.variables = std::move(variables);
         history.displacement = trial.displacement();
       },
       nothing_to_add);

@@ -15,7 +15,6 @@
 #include <deal.II/lac/sparse_matrix.h>
 #include <deal.II/lac/vector.h>
 
-#include "elasticity.hpp"
 #include "formulation.hpp"
 #include "history.hpp"
 #include "linear_solver.hpp"
@@ -33,7 +32,8 @@ struct Equilibrium {
                                  ///< turned inside out [-]
   unsigned linear_solves = 0;
   bool linear_solver_gave_up = false;
-  double base_reaction = 0; ///< of all that is held vertically, positive upward [N/m or N]
+  double base_reaction = 0;              ///< of all that is held vertically, positive upward [N/m or N]
+  std::vector<double> support_reactions; ///< (supports of the case, dim) on the body [N/m]
 
   [[nodiscard]] double out_of_balance() const { return residuals.back(); }
   [[nodiscard]] bool reached() const;
@@ -65,10 +65,13 @@ public:
   [[nodiscard]] const dealii::Mapping<dim>& mapping() const { return geometry_.mapping(); }
   [[nodiscard]] const Formulation<dim>& formulation() const { return *formulation_; }
   [[nodiscard]] const History<dim>& history() const { return history_; }
-  [[nodiscard]] const Elasticity& constants() const { return constants_; }
-  [[nodiscard]] double density() const { return density_; }
+  /// As placed, of the material of a layer [kg/m3].
+  [[nodiscard]] double density(int layer) const { return of_layer(densities_, layer); }
   [[nodiscard]] double gravity() const { return gravity_; }
   [[nodiscard]] const Loading& loading() const { return loading_; }
+  /// Whether any layer's law has plastic strain, and whether any has a preconsolidation pressure.
+  [[nodiscard]] bool yields() const { return yields_; }
+  [[nodiscard]] bool hardens() const { return hardens_; }
   /// Cells placed so far.
   [[nodiscard]] const std::vector<Cell>& placed_cells() const { return placed_; }
   /// Of a layer that is placed [kg/m or kg].
@@ -98,13 +101,16 @@ private:
   [[nodiscard]] double load() const;
   [[nodiscard]] double out_of_balance() const;
   [[nodiscard]] double base_reaction() const;
+  [[nodiscard]] std::vector<double> support_reactions() const;
 
   exchange::FemLinearSolver choice_;
-  Elasticity constants_;
   std::unique_ptr<Formulation<dim>> formulation_;
-  double density_; ///< [kg/m3]
-  double gravity_; ///< [m/s2]
+  std::vector<double> densities_;           ///< (layers) as placed [kg/m3]
+  std::vector<StateVariables> placed_with_; ///< (layers) what material remembers when it is placed
+  double gravity_;                          ///< [m/s2]
   Loading loading_;
+  bool yields_, hardens_;
+  std::size_t n_supports_; ///< of polygons
   Supports<dim> supports_;
   Progress reached_, target_; ///< as accepted last, and of the increment that is being solved for
   double largest_load_ = 0.0; ///< of the increments accepted in this stage [N]

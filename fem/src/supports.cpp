@@ -46,8 +46,9 @@ std::vector<HeldDof> Supports<dim>::held_dofs(const std::vector<Cell>& placed,
       const exchange::Support* support = support_at(place, axis);
       if (support == nullptr) continue;
       const bool follows = support->motion == exchange::SupportMotion::exact;
-      HeldDof& dof =
-          held.try_emplace(indices[i], HeldDof{indices[i], axis, follows, {place, layer_of(cell)}}).first->second;
+      const auto number = static_cast<std::size_t>(support - supports_.data());
+      HeldDof& dof = held.try_emplace(indices[i], HeldDof{indices[i], axis, follows, {place, layer_of(cell)}, number})
+                         .first->second;
       dof.point.layer = std::min(dof.point.layer, layer_of(cell));
     }
   }

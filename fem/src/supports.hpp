@@ -14,9 +14,10 @@ namespace settle::fem {
 
 struct HeldDof {
   dealii::types::global_dof_index index;
-  unsigned axis;       ///< of the displacement it is
-  bool follows_motion; ///< else it stays where it is
-  PlacedPoint point;   ///< of polygons only; on an interface: of the layer placed first
+  unsigned axis;           ///< of the displacement it is
+  bool follows_motion;     ///< else it stays where it is
+  PlacedPoint point;       ///< of polygons only; on an interface: of the layer placed first
+  std::size_t support = 0; ///< of polygons only: which of the case's, from 0
 };
 
 /// The supports of a case: of polygons those it lists; of a column rollers on all sides but the top.
