@@ -1,5 +1,6 @@
 #include "settle/fem/solver.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <numeric>
 #include <vector>
@@ -22,7 +23,8 @@ struct Solver::Implementation {
   Implementation& operator=(const Implementation&) = delete;
   virtual ~Implementation() = default;
   [[nodiscard]] virtual exchange::Used used() const = 0;
-  virtual void build(const StageSink& on_stage, const std::optional<std::filesystem::path>& pictures) = 0;
+  virtual std::optional<exchange::Failure> build(const StageSink& on_stage,
+                                                 const std::optional<std::filesystem::path>& pictures) = 0;
 };
 
 namespace {
@@ -99,23 +101,33 @@ public:
     return used;
   }
 
-  void build(const StageSink& on_stage, const std::optional<std::filesystem::path>& pictures) override {
+  std::optional<exchange::Failure> build(const StageSink& on_stage,
+                                         const std::optional<std::filesystem::path>& pictures) override {
     std::optional<PictureSeries<dim>> series;
     if (pictures) series.emplace(*pictures);
     for (int layer = 1; layer <= study_.construction.layers; ++layer) {
       Ramp ramp;
       problem_.activate(layer);
-      for (const double share : shares(study_.fem.increments.value_or(1)))
-        advance(share, layer, ramp);
+      const bool stands = raise(layer, ramp);
+      if (!stands && ramp.reached == 0.0) return exchange::Failure{layer, 0.0};
       on_stage(report(layer, ramp));
       if (series) series->add(problem_, layer);
+      if (!stands) return exchange::Failure{layer, ramp.reached};
     }
+    return {};
   }
 
 private:
+  /// The whole stage; false where no equilibrium was found and the case may fail.
+  bool raise(int layer, Ramp& ramp) {
+    const std::vector<double> ends = shares(study_.fem.increments.value_or(1));
+    return std::all_of(ends.begin(), ends.end(), [&](double share) { return advance(share, layer, ramp); });
+  }
+
   /// From the share of the stage reached to `target`, through halves of the way where that is too far for one
-  /// increment. A solve that fails leaves the state as it was accepted last.
-  void advance(double target, int layer, Ramp& ramp) {
+  /// increment. A solve that fails leaves the state as it was accepted last: false where the case may fail, else that
+  /// ends the run.
+  bool advance(double target, int layer, Ramp& ramp) {
     std::vector<double> targets{target};
     while (!targets.empty()) {
       Equilibrium equilibrium = problem_.solve(targets.back());
@@ -125,12 +137,14 @@ private:
         ramp.add(std::move(equilibrium), targets.back());
         targets.pop_back();
       } else if (problem_.formulation().linear() || targets.size() > increment_halvings_allowed) {
+        if (study_.construction.may_fail) return false;
         throw not_converged(study_,
                             {course(layer, ramp.reached, targets.back()), targets.size() > 1, std::move(equilibrium)});
       } else {
         targets.push_back((ramp.reached + targets.back()) / 2.0);
       }
     }
+    return true;
   }
 
   /// An increment, for messages.
@@ -184,8 +198,10 @@ public:
     used.dimension = study_.geometry.dimension;
     return used;
   }
-  void build(const StageSink& on_stage, const std::optional<std::filesystem::path>& /*pictures*/) override {
+  std::optional<exchange::Failure> build(const StageSink& on_stage,
+                                         const std::optional<std::filesystem::path>& /*pictures*/) override {
     follow_paths(study_, on_stage);
+    return {};
   }
 
 private:
@@ -212,8 +228,9 @@ exchange::Used Solver::used() const {
   return implementation_->used();
 }
 
-void Solver::build(const StageSink& on_stage, const std::optional<std::filesystem::path>& pictures) {
-  implementation_->build(on_stage, pictures);
+std::optional<exchange::Failure> Solver::build(const StageSink& on_stage,
+                                               const std::optional<std::filesystem::path>& pictures) {
+  return implementation_->build(on_stage, pictures);
 }
 
 } // namespace settle::fem
