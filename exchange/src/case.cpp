@@ -29,10 +29,8 @@ std::set<int> Case::layers_present(int stage) const {
   std::set<int> present;
   for (int number = 1; number <= stage; ++number) {
     const StageEntry& entry = stages.at(static_cast<std::size_t>(number - 1));
-    if (entry.action == Action::remove)
-      present.erase(entry.layer);
-    else
-      present.insert(entry.layer);
+    if (entry.action == Action::remove) present.erase(entry.layer);
+    if (entry.action == Action::ground || entry.action == Action::place) present.insert(entry.layer);
   }
   return present;
 }
