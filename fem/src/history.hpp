@@ -2,6 +2,8 @@
 /// What a placed cell remembers: where it was placed, displacement since, and stress.
 #pragma once
 
+#include <algorithm>
+#include <functional>
 #include <vector>
 
 #include <deal.II/base/point.h>
@@ -18,8 +20,15 @@ struct CellHistory {
   std::vector<dealii::Point<dim>> shape;             ///< (support points of the geometry) as placed [m]
   std::vector<double> displacement;                  ///< (dofs per cell) since placement [m]
   std::vector<dealii::SymmetricTensor<2, 3>> stress; ///< (quadrature points) Cauchy [Pa]
+  std::vector<double> datum{};                       ///< (dofs per cell) displacement that counts as none [m]
 
   [[nodiscard]] bool placed() const { return !displacement.empty(); }
+  /// (dofs per cell) displacement as it is reported: that of existing ground counts from its state of rest [m].
+  [[nodiscard]] std::vector<double> counted_displacement() const {
+    std::vector<double> counted = displacement;
+    std::transform(counted.begin(), counted.end(), datum.begin(), counted.begin(), std::minus<>());
+    return counted;
+  }
 };
 
 /// The history of all cells of a mesh that is never refined, by the cell's index in the mesh. Kept by cell and not by
@@ -34,7 +43,16 @@ public:
   template <class Cell>
   void place(const Cell& cell, std::vector<dealii::Point<dim>> shape, unsigned n_dofs, unsigned n_quadrature_points) {
     of(cell) = {std::move(shape), std::vector<double>(n_dofs),
-                std::vector<dealii::SymmetricTensor<2, 3>>(n_quadrature_points)};
+                std::vector<dealii::SymmetricTensor<2, 3>>(n_quadrature_points), std::vector<double>(n_dofs)};
+  }
+  template <class Cell>
+  void remove(const Cell& cell) {
+    of(cell) = {};
+  }
+  /// What a placed cell has moved so far counts as nothing from here on.
+  template <class Cell>
+  void count_from_here(const Cell& cell) {
+    of(cell).datum = of(cell).displacement;
   }
 
   template <class Cell>

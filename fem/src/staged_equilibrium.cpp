@@ -42,6 +42,7 @@ Equilibrium StagedProblem<dim>::solve(double share) {
          equilibrium.linear_solves < linear_solves_allowed)
     goes_on = correct_increment(equilibrium);
   equilibrium.base_reaction = base_reaction();
+  equilibrium.support_reactions = support_reactions();
   return equilibrium;
 }
 
@@ -155,6 +156,14 @@ double StagedProblem<dim>::base_reaction() const {
   for (const HeldDof& dof : held_)
     if (dof.axis == dim - 1) reaction -= unbalanced_[dof.index];
   return reaction;
+}
+
+template <int dim>
+std::vector<double> StagedProblem<dim>::support_reactions() const {
+  std::vector<double> reactions(n_supports_ * dim);
+  for (const HeldDof& dof : held_)
+    if (dof.support) reactions[*dof.support * dim + dof.axis] -= unbalanced_[dof.index];
+  return reactions;
 }
 
 template Equilibrium StagedProblem<2>::solve(double);

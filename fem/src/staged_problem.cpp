@@ -1,6 +1,5 @@
 #include "staged_problem.hpp"
 
-#include <algorithm>
 #include <numeric>
 
 #include <deal.II/dofs/dof_tools.h>
@@ -16,9 +15,6 @@
 
 namespace settle::fem {
 namespace {
-
-constexpr unsigned placed_element = 0;
-constexpr unsigned absent_element = 1;
 
 unsigned degree_of(exchange::FemElement element) {
   switch (element) {
@@ -56,13 +52,22 @@ dealii::Quadrature<dim> load_quadrature(const dealii::QGauss<dim>& quadrature, c
   return dealii::QIterated<dim>(dealii::QGauss<1>(quadrature.get_tensor_basis()[0].size()), parts_along_an_edge);
 }
 
+std::vector<double> densities(const exchange::Case& study) {
+  std::vector<double> densities;
+  for (int layer = 1; layer <= study.construction.layers; ++layer)
+    densities.push_back(study.material_of(layer).density);
+  return densities;
+}
+
 } // namespace
 
 template <int dim>
 StagedProblem<dim>::StagedProblem(const exchange::Case& study)
     : choice_(study.fem.linear_solver), constants_{study.fill().youngs_modulus, study.fill().poissons_ratio},
-      formulation_(make_formulation<dim>(study, constants_)), density_(study.fill().density), gravity_(study.gravity),
-      loading_(study), supports_(study), elements_(elements_for<dim>(degree_of(study.fem.element))),
+      formulation_(make_formulation<dim>(study, constants_)), densities_(densities(study)), gravity_(study.gravity),
+      geometry_moves_(study.fem.kinematics == exchange::Kinematics::finite), stages_(study.stages),
+      level_ground_(study), loading_(study), surface_loads_(study), supports_(study),
+      n_supports_(study.supports.size()), elements_(elements_for<dim>(degree_of(study.fem.element))),
       quadrature_(degree_of(study.fem.element) + 1), load_quadrature_(load_quadrature(quadrature_, loading_)),
       dofs_(mesh_), history_(0), geometry_(study) {
   make_mesh(study, mesh_);
@@ -70,22 +75,6 @@ StagedProblem<dim>::StagedProblem(const exchange::Case& study)
   history_ = History<dim>(mesh_.n_active_cells());
   for (const auto& cell : dofs_.active_cell_iterators())
     cell->set_active_fe_index(absent_element);
-}
-
-template <int dim>
-void StagedProblem<dim>::activate(int layer) {
-  reached_ = {.stage = layer};
-  largest_load_ = 0.0;
-  for (const auto& cell : dofs_.active_cell_iterators())
-    if (layer_of(cell) == layer) {
-      cell->set_active_fe_index(placed_element);
-      history_.place(cell, geometry_.shape_of_new(cell, history_, element()), element().n_dofs_per_cell(),
-                     quadrature_.size());
-    }
-  geometry_.update(mesh_, history_);
-  distribute_dofs();
-  fix_supports();
-  choose_linear_solver();
 }
 
 template <int dim>
@@ -97,7 +86,7 @@ double StagedProblem<dim>::mass(int layer) const {
     values.reinit(cell);
     volume += std::accumulate(values.get_JxW_values().begin(), values.get_JxW_values().end(), 0.0);
   }
-  return density_ * volume;
+  return density(layer) * volume;
 }
 
 /// Of cells as placed.
@@ -123,6 +112,7 @@ void StagedProblem<dim>::distribute_dofs() {
     if (history_.of(cell).placed()) placed_.push_back(cell);
   increment_.reinit(dofs_.n_dofs());
   external_.reinit(dofs_.n_dofs());
+  released_.reinit(dofs_.n_dofs());
   unbalanced_.reinit(dofs_.n_dofs());
 }
 
