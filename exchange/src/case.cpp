@@ -38,10 +38,8 @@ std::set<int> Case::layers_present(int stage) const {
   const std::vector<StageEntry> all = all_stages();
   for (int number = 1; number <= stage; ++number) {
     const StageEntry& entry = all.at(static_cast<std::size_t>(number - 1));
-    if (entry.action == Action::remove)
-      present.erase(entry.layer);
-    else
-      present.insert(entry.layer);
+    if (entry.action == Action::remove) present.erase(entry.layer);
+    if (entry.action == Action::ground || entry.action == Action::place) present.insert(entry.layer);
   }
   return present;
 }

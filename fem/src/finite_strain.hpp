@@ -33,7 +33,6 @@ public:
     return std::none_of(laws_.begin(), laws_.end(),
                         [](const FiniteLaw& law) { return law.law == exchange::Law::rate; });
   }
-  [[nodiscard]] bool frozen() const override { return false; }
   [[nodiscard]] std::vector<Measure> measures(const dealii::FEValues<dim>& values,
                                               const CellHistory<dim>& history) const override;
 

@@ -68,8 +68,6 @@ public:
   [[nodiscard]] virtual bool linear() const = 0;
   /// Whether the tangent is symmetric in every state.
   [[nodiscard]] virtual bool symmetric() const = 0;
-  /// Whether the geometry is that of the design, whatever has settled.
-  [[nodiscard]] virtual bool frozen() const = 0;
   /// (quadrature points) in the accepted state.
   [[nodiscard]] virtual std::vector<Measure> measures(const dealii::FEValues<dim>& values,
                                                       const CellHistory<dim>& history) const = 0;

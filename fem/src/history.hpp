@@ -2,6 +2,8 @@
 /// What a placed cell remembers: where it was placed, displacement since, stress, and what its soil remembers.
 #pragma once
 
+#include <algorithm>
+#include <functional>
 #include <vector>
 
 #include <deal.II/base/point.h>
@@ -21,8 +23,15 @@ struct CellHistory {
   std::vector<double> displacement;                  ///< (dofs per cell) since placement [m]
   std::vector<dealii::SymmetricTensor<2, 3>> stress; ///< (quadrature points) Cauchy [Pa]
   std::vector<StateVariables> variables;             ///< (quadrature points)
+  std::vector<double> datum{};                       ///< (dofs per cell) displacement that counts as none [m]
 
   [[nodiscard]] bool placed() const { return !displacement.empty(); }
+  /// (dofs per cell) displacement as it is reported: that of existing ground counts from its state of rest [m].
+  [[nodiscard]] std::vector<double> counted_displacement() const {
+    std::vector<double> counted = displacement;
+    std::transform(counted.begin(), counted.end(), datum.begin(), counted.begin(), std::minus<>());
+    return counted;
+  }
 };
 
 /// The history of all cells of a mesh that is never refined, by the cell's index in the mesh. Kept by cell and not by
@@ -39,7 +48,16 @@ public:
              const StateVariables& variables) {
     of(cell) = {std::move(shape), std::vector<double>(n_dofs),
                 std::vector<dealii::SymmetricTensor<2, 3>>(n_quadrature_points),
-                std::vector<StateVariables>(n_quadrature_points, variables)};
+                std::vector<StateVariables>(n_quadrature_points, variables), std::vector<double>(n_dofs)};
+  }
+  template <class Cell>
+  void remove(const Cell& cell) {
+    of(cell) = {};
+  }
+  /// What a placed cell has moved so far counts as nothing from here on.
+  template <class Cell>
+  void count_from_here(const Cell& cell) {
+    of(cell).datum = of(cell).displacement;
   }
 
   template <class Cell>

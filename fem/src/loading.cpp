@@ -4,7 +4,7 @@ namespace settle::fem {
 
 using exchange::PlanePoint;
 
-Loading::Loading(const exchange::Case& study) {
+Loading::Loading(const exchange::Case& study) : stages_(study.stages) {
   if (!study.motion) return;
   formulas_.emplace(study);
   duration_ = study.motion->duration;
@@ -17,7 +17,8 @@ std::optional<double> Loading::time(const Progress& at) const {
 }
 
 double Loading::gravity_factor(int layer, const Progress& at) const {
-  return !duration_ && layer == at.stage ? at.share : 1.0;
+  if (duration_ || !places(at.stage, layer)) return 1.0;
+  return stages_[static_cast<std::size_t>(at.stage - 1)].k0 ? 1.0 : at.share;
 }
 
 PlanePoint Loading::driving_force(const PlacedPoint& point, const Progress& at) const {
@@ -33,7 +34,7 @@ PlanePoint Loading::driving_force(const PlacedPoint& point, const Progress& at) 
 PlanePoint Loading::displacement_in_stage(const PlacedPoint& point, const Progress& at) const {
   const std::lock_guard guard(formulas_in_use_);
   const PlanePoint now = formulas_->displacement(formula_point(point, at));
-  if (!duration_ && point.layer == at.stage) return {at.share * now[0], at.share * now[1]};
+  if (!duration_ && places(at.stage, point.layer)) return {at.share * now[0], at.share * now[1]};
   const Progress start = duration_ ? Progress{at.stage, 0.0} : Progress{at.stage - 1, 1.0};
   const PlanePoint before = formulas_->displacement(formula_point(point, start));
   const double share = duration_ ? 1.0 : at.share;
@@ -46,6 +47,12 @@ exchange::FormulaPoint Loading::formula_point(const PlacedPoint& point, const Pr
           .time = time(at).value_or(0.0),
           .layer = point.layer,
           .stage = at.stage};
+}
+
+bool Loading::places(int stage, int layer) const {
+  const exchange::StageEntry& entry = stages_.at(static_cast<std::size_t>(stage - 1));
+  const bool placed = entry.action == exchange::Action::place || entry.action == exchange::Action::ground;
+  return placed && entry.layer == layer;
 }
 
 } // namespace settle::fem

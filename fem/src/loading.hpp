@@ -4,6 +4,7 @@
 
 #include <mutex>
 #include <optional>
+#include <vector>
 
 #include "settle/exchange/case.hpp"
 #include "settle/exchange/formulas.hpp"
@@ -13,8 +14,8 @@ namespace settle::fem {
 
 /// How far construction has come.
 struct Progress {
-  int stage = 0;      ///< layers placed
-  double share = 0.0; ///< of the stage, 0 ... 1: of its layer's gravity, or of a motion's duration
+  int stage = 0;      ///< 1, 2, ...
+  double share = 0.0; ///< of the stage, 0 ... 1: of its layer's gravity, of its load, or of a motion's duration
 };
 
 /// A material point of the plane, by where it was placed.
@@ -33,7 +34,8 @@ public:
   /// Seconds since the start of a motion that runs in time; nothing where layers are built.
   [[nodiscard]] std::optional<double> time(const Progress& at) const;
 
-  /// What acts of gravity on a layer that is placed. In a motion in time: all of it, from the start.
+  /// What acts of gravity on a layer that is placed. All of it from the start in a motion in time, and in ground that
+  /// starts with the stress of its weight.
   [[nodiscard]] double gravity_factor(int layer, const Progress& at) const;
   /// Body force less acceleration of the motion, besides gravity [N/kg]. Where layers are built it is raised as gravity
   /// is, and nothing has an acceleration.
@@ -44,7 +46,9 @@ public:
 
 private:
   [[nodiscard]] exchange::FormulaPoint formula_point(const PlacedPoint& point, const Progress& at) const;
+  [[nodiscard]] bool places(int stage, int layer) const;
 
+  std::vector<exchange::StageEntry> stages_;
   mutable std::mutex formulas_in_use_;
   std::optional<exchange::Formulas> formulas_;
   std::optional<double> duration_; ///< [s]

@@ -29,18 +29,46 @@ void make_column(const exchange::Case& study, dealii::Triangulation<dim>& mesh) 
   }
 }
 
-void make_polygons(const exchange::Case& study, dealii::Triangulation<2>& mesh) {
-  const PlaneMesh plane = mesh_polygons(study);
-  std::vector<dealii::Point<2>> vertices;
-  for (const exchange::PlanePoint& vertex : plane.vertices)
-    vertices.emplace_back(vertex[0], vertex[1]);
+/// Both cells at an edge see it run the same way.
+std::vector<dealii::CellData<2>> ordered_cells(const PlaneMesh& section) {
   std::vector<dealii::CellData<2>> cells;
-  for (const PlaneMesh::Cell& cell : plane.cells) {
+  for (const PlaneMesh::Cell& cell : section.cells) {
     cells.emplace_back();
     cells.back().vertices.assign(cell.vertices.begin(), cell.vertices.end());
     cells.back().material_id = static_cast<dealii::types::material_id>(cell.layer);
   }
-  dealii::GridTools::consistently_order_cells(cells); // both cells at an edge have to see it run the same way
+  dealii::GridTools::consistently_order_cells(cells);
+  return cells;
+}
+
+void make_drawn(const exchange::Case& study, dealii::Triangulation<2>& mesh) {
+  const PlaneMesh section = mesh_polygons(study);
+  std::vector<dealii::Point<2>> vertices;
+  for (const exchange::PlanePoint& vertex : section.vertices)
+    vertices.emplace_back(vertex[0], vertex[1]);
+  mesh.create_triangulation(vertices, ordered_cells(section), dealii::SubCellData());
+}
+
+/// The section in slices along y.
+void make_drawn(const exchange::Case& study, dealii::Triangulation<3>& mesh) {
+  const PlaneMesh section = mesh_polygons(study);
+  const unsigned slices = slices_along_depth(study);
+  const auto n_in_section = static_cast<unsigned>(section.vertices.size());
+  std::vector<dealii::Point<3>> vertices;
+  for (unsigned slice = 0; slice <= slices; ++slice)
+    for (const exchange::PlanePoint& vertex : section.vertices)
+      vertices.emplace_back(vertex[0], *study.geometry.depth * slice / slices, vertex[1]);
+  const std::vector<dealii::CellData<2>> plane = ordered_cells(section);
+  std::vector<dealii::CellData<3>> cells;
+  for (unsigned slice = 0; slice < slices; ++slice)
+    for (const dealii::CellData<2>& cell : plane) {
+      cells.emplace_back();
+      cells.back().material_id = cell.material_id;
+      for (unsigned v = 0; v < 8; ++v) { // x, y, z of the unit cube: its bits
+        const unsigned across = v & 1U, along = (v >> 1U) & 1U, up = v >> 2U;
+        cells.back().vertices[v] = cell.vertices[across + 2 * up] + (slice + along) * n_in_section;
+      }
+    }
   mesh.create_triangulation(vertices, cells, dealii::SubCellData());
 }
 
@@ -48,8 +76,7 @@ void make_polygons(const exchange::Case& study, dealii::Triangulation<2>& mesh) 
 
 template <int dim>
 void make_mesh(const exchange::Case& study, dealii::Triangulation<dim>& mesh) {
-  if constexpr (dim == 2)
-    if (study.geometry.drawn()) return make_polygons(study, mesh);
+  if (study.geometry.drawn()) return make_drawn(study, mesh);
   make_column(study, mesh);
 }
 

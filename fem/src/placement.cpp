@@ -1,9 +1,9 @@
 #include "placement.hpp"
 
-#include <deal.II/base/geometry_info.h>
-#include <deal.II/fe/fe_q.h>
+#include <algorithm>
+#include <limits>
 
-#include "mesh.hpp"
+#include <deal.II/fe/fe_q.h>
 
 namespace settle::fem {
 namespace {
@@ -12,13 +12,14 @@ namespace {
 /// visited before wherever the cells are translations of each other in the mesh, whatever the mapping says.
 constexpr unsigned geometry_degree = 2;
 
-/// Linear along each axis of the cell between its vertices in the mesh.
-template <class Cell, int dim>
-dealii::Point<dim> designed_position(const Cell& cell, const dealii::Point<dim>& unit) {
-  dealii::Point<dim> position;
-  for (const unsigned v : cell->vertex_indices())
-    position += dealii::GeometryInfo<dim>::d_linear_shape_function(unit, v) * cell->vertex(v);
-  return position;
+/// Of its highest point in the design [m].
+template <class Cell>
+double level_of(const std::vector<Cell>& layer) {
+  double level = -std::numeric_limits<double>::infinity();
+  for (const Cell& cell : layer)
+    for (const unsigned v : cell->vertex_indices())
+      level = std::max(level, cell->vertex(v)[Cell::AccessorType::dimension - 1]);
+  return level;
 }
 
 } // namespace
@@ -39,28 +40,36 @@ LayerRule layer_rule(const exchange::Case& study) {
 
 template <int dim>
 PlacedGeometry<dim>::PlacedGeometry(const exchange::Case& study)
-    : rule_(layer_rule(study)), thickness_(study.layer_thickness()),
-      points_(dealii::FE_Q<dim>(geometry_degree).get_unit_support_points()), mapping_(geometry_degree) {}
+    : rule_(layer_rule(study)), points_(dealii::FE_Q<dim>(geometry_degree).get_unit_support_points()),
+      mapping_(geometry_degree) {}
 
 template <int dim>
-auto PlacedGeometry<dim>::shape_of_new(const Cell& cell, const History<dim>& history,
-                                       const dealii::FiniteElement<dim>& element) const
-    -> std::vector<dealii::Point<dim>> {
-  constexpr unsigned vertical = dim - 1;
-  const double lower = (layer_of(cell) - 1) * thickness_, upper = layer_of(cell) * thickness_;
-  std::vector<dealii::Point<dim>> shape;
-  for (const dealii::Point<dim>& unit : points_) {
-    const dealii::Point<dim> designed = designed_position(cell, unit);
-    if (rule_ == LayerRule::as_designed) {
-      shape.push_back(designed);
-      continue;
-    }
-    dealii::Point<dim> position = surface_below(cell, unit, history, element);
-    const double height = rule_ == LayerRule::up_to_level ? upper - position[vertical] : thickness_;
-    position[vertical] += (designed[vertical] - lower) / thickness_ * height;
-    shape.push_back(position);
+auto PlacedGeometry<dim>::shapes_of_new(const std::vector<Cell>& layer, const History<dim>& history,
+                                        const dealii::FiniteElement<dim>& element) const -> std::vector<Shape> {
+  const SettledSurface<dim> surface(layer, history, mapping_, element);
+  const double level = level_of(layer);
+  std::vector<Shape> shapes;
+  for (const Cell& cell : layer) {
+    Shape shape;
+    for (const dealii::Point<dim>& unit : points_)
+      shape.push_back(placed_position(designed_position(cell, unit), surface, level));
+    shapes.push_back(std::move(shape));
   }
-  return shape;
+  return shapes;
+}
+
+/// Vertical lines stay vertical. In `up_to_level` what has settled below is made up for in proportion to the height
+/// above.
+template <int dim>
+dealii::Point<dim> PlacedGeometry<dim>::placed_position(const dealii::Point<dim>& designed,
+                                                        const SettledSurface<dim>& surface, double level) const {
+  if (rule_ == LayerRule::as_designed) return designed;
+  const std::optional<Foot<dim>> foot = surface.below(designed);
+  if (!foot) return designed;
+  dealii::Tensor<1, dim> moved = foot->settled;
+  const double height = designed[dim - 1] - foot->designed_height;
+  if (rule_ == LayerRule::up_to_level && height > 0.0) moved[dim - 1] *= 1.0 - height / (level - foot->designed_height);
+  return designed + moved;
 }
 
 template <int dim>
@@ -72,24 +81,6 @@ void PlacedGeometry<dim>::update(const dealii::Triangulation<dim>& mesh, const H
       designed.push_back(designed_position(cell, unit));
     return designed;
   });
-}
-
-/// The base, or where the top of the layer below now is.
-template <int dim>
-dealii::Point<dim> PlacedGeometry<dim>::surface_below(const Cell& cell, dealii::Point<dim> unit,
-                                                      const History<dim>& history,
-                                                      const dealii::FiniteElement<dim>& element) const {
-  constexpr unsigned lower_face = 2 * (dim - 1);
-  Cell below = cell;
-  while (layer_of(below) == layer_of(cell)) {
-    if (below->at_boundary(lower_face)) {
-      unit[dim - 1] = 0.0;
-      return designed_position(below, unit);
-    }
-    below = below->neighbor(lower_face);
-  }
-  unit[dim - 1] = 1.0;
-  return mapping_.transform_unit_to_real_cell(below, unit) + interpolate(element, history.of(below).displacement, unit);
 }
 
 template class PlacedGeometry<2>;

@@ -1,8 +1,10 @@
 #include "polygon_mesh.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
+#include "embankment_mesh.hpp"
 #include "polygon_outline.hpp"
 
 namespace settle::fem {
@@ -108,6 +110,7 @@ private:
 } // namespace
 
 PlaneMesh mesh_polygons(const exchange::Case& study) {
+  if (study.geometry.shape == exchange::Shape::embankment) return mesh_polygons(divided_embankment(study));
   const PolygonOutline outline(study);
   MeshBuilder builder(outline);
   for (std::size_t i = 0; i < outline.polygons().size(); ++i) {
@@ -119,6 +122,11 @@ PlaneMesh mesh_polygons(const exchange::Case& study) {
       builder.add_quadrilateral(corners, layer);
   }
   return builder.take();
+}
+
+unsigned slices_along_depth(const exchange::Case& study) {
+  constexpr double round_off = 1e-6; // of a slice
+  return static_cast<unsigned>(std::ceil(study.geometry.depth.value() / study.fem.element_size - round_off));
 }
 
 } // namespace settle::fem

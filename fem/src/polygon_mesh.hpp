@@ -1,5 +1,5 @@
 /// \file
-/// The mesh of a case of polygons, as plain data.
+/// The mesh of what is drawn, as plain data.
 #pragma once
 
 #include <array>
@@ -22,9 +22,13 @@ struct PlaneMesh {
 
 /// A quadrilateral becomes a bilinear grid; a triangle three of them, around its centroid and the middles of its edges.
 /// No edge of a polygon is divided more coarsely than `fem.element_size`; edges shared by two polygons, opposite edges
-/// of quadrilaterals, and all edges of a triangle are divided alike, into equal parts.
+/// of quadrilaterals, and all edges of a triangle are divided alike, into equal parts. An embankment is divided into
+/// other polygons first (embankment_mesh.hpp).
 /// Throws InputError for polygons of more than four corners, where edges are shared in part only, and where polygons
 /// overlap.
 PlaneMesh mesh_polygons(const exchange::Case& study);
+
+/// In how many slices, not thicker than `fem.element_size`, a body in space extrudes that mesh.
+unsigned slices_along_depth(const exchange::Case& study);
 
 } // namespace settle::fem

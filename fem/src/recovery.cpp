@@ -107,7 +107,15 @@ Slopes<dim> slopes_within_cell(const StagedProblem<dim>& problem, const Cell<dim
 template <int dim>
 dealii::Tensor<1, dim> displacement_at(const StagedProblem<dim>& problem, const Cell<dim>& cell,
                                        const dealii::Point<dim>& unit) {
-  return interpolate(problem.element(), problem.history().of(cell).displacement, unit);
+  return interpolate(problem.element(), problem.history().of(cell).counted_displacement(), unit);
+}
+
+template <int dim>
+dealii::Point<dim> placed_position_at(const StagedProblem<dim>& problem, const Cell<dim>& cell,
+                                      const dealii::Point<dim>& unit) {
+  const dealii::Point<dim> position = problem.mapping().transform_unit_to_real_cell(cell, unit);
+  if (!problem.geometry_moves()) return position;
+  return position + interpolate(problem.element(), problem.history().of(cell).datum, unit);
 }
 
 template <int dim>
@@ -126,6 +134,8 @@ dealii::SymmetricTensor<2, 3> stress_at(const StagedProblem<dim>& problem, const
 #define SETTLE_INSTANTIATE(dim)                                                                                        \
   template dealii::Tensor<1, dim> displacement_at(const StagedProblem<dim>&, const Cell<dim>&,                         \
                                                   const dealii::Point<dim>&);                                          \
+  template dealii::Point<dim> placed_position_at(const StagedProblem<dim>&, const Cell<dim>&,                          \
+                                                 const dealii::Point<dim>&);                                           \
   template dealii::SymmetricTensor<2, 3> stress_at(const StagedProblem<dim>&, const Cell<dim>&,                        \
                                                    const dealii::Point<dim>&);
 SETTLE_INSTANTIATE(2)

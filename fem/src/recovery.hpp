@@ -6,10 +6,16 @@
 
 namespace settle::fem {
 
-/// Displacement since placement at a point of a placed cell (unit coordinates), from that cell alone [m].
+/// Displacement that counts, since placement or since ground came to rest, at a point of a placed cell (unit
+/// coordinates), from that cell alone [m].
 template <int dim>
 dealii::Tensor<1, dim> displacement_at(const StagedProblem<dim>& problem, const typename StagedProblem<dim>::Cell& cell,
                                        const dealii::Point<dim>& unit);
+
+/// Where that displacement starts from [m].
+template <int dim>
+dealii::Point<dim> placed_position_at(const StagedProblem<dim>& problem, const typename StagedProblem<dim>::Cell& cell,
+                                      const dealii::Point<dim>& unit);
 
 /// Cauchy stress at a point of a placed cell (unit coordinates), recovered from where it is superconvergent [Pa]:
 /// linear by position as placed, through the cell's mean, with

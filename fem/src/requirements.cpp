@@ -8,18 +8,19 @@
 #include "polygon_mesh.hpp"
 #include "settle/exchange/errors.hpp"
 #include "settle/exchange/fitting_size.hpp"
+#include "stage_requirements.hpp"
 #include "support_line.hpp"
 
 namespace settle::fem {
 namespace {
 
-using namespace std::string_literals;
-
 constexpr const char* why_not_refill = "a mesh takes no material during a stage";
 constexpr const char* why_not_drop = "a mesh cannot close the gap to the settled surface";
 
-void require_column_placement(const exchange::Case& study) {
+/// At finite strain a layer lies on what has settled below it.
+void require_placement(const exchange::Case& study) {
   using exchange::Convention;
+  if (study.fem.kinematics == exchange::Kinematics::small) return;
   const Convention convention = study.construction.convention;
   const auto refuse = [&](const std::string& why) {
     throw exchange::InputError(exchange::Complaint{
@@ -31,41 +32,10 @@ void require_column_placement(const exchange::Case& study) {
         .allowed = fmt::format("\"{}\" or \"{}\"", exchange::name_of(Convention::floating),
                                exchange::name_of(Convention::level_up)),
         .remedy = "use \"level-up\", which tends to \"refill\" with the number of layers, or fem.kinematics = "
-                  "\"small\", for which all conventions are the same column, or solve the case with settle-mpm alone"});
+                  "\"small\", for which all conventions are the same body, or solve the case with settle-mpm alone"});
   };
   if (convention == Convention::refill) refuse(why_not_refill);
   if (convention == Convention::drop && study.construction.layers > 1) refuse(why_not_drop);
-}
-
-/// Polygons are placed where they are drawn.
-void require_polygon_placement(const exchange::Case& study) {
-  if (study.construction.layers == 1) return;
-  throw exchange::InputError(exchange::Complaint{
-      .where = study.where("construction.layers"),
-      .what = "finite elements at finite strain cannot build layers of polygons: "s + why_not_drop,
-      .given = fmt::format("construction.layers = {} with fem.kinematics = \"finite\"", study.construction.layers),
-      .allowed = "1",
-      .remedy = "use fem.kinematics = \"small\", or solve the case with settle-mpm alone"});
-}
-
-/// At finite strain a layer lies on what has settled below it.
-void require_placement(const exchange::Case& study) {
-  if (study.fem.kinematics == exchange::Kinematics::small) return;
-  if (study.geometry.drawn())
-    require_polygon_placement(study);
-  else
-    require_column_placement(study);
-}
-
-/// What cases may ask for and this program does not do.
-void require_known(const exchange::Case& study) {
-  for (std::size_t number = 0; number < study.stages.size(); ++number)
-    if (study.stages[number].action != exchange::Action::place)
-      throw exchange::InputError({.where = study.where(fmt::format("stage.{}.action", number)),
-                                  .what = "settle-fem places layers and does nothing else",
-                                  .given = fmt::format("\"{}\"", exchange::name_of(study.stages[number].action)),
-                                  .allowed = "\"place\"",
-                                  .remedy = {}});
 }
 
 /// Soils act on increments of small strain.
@@ -110,12 +80,11 @@ void require_laws(const exchange::Case& study) {
 }
 
 /// A support that is drawn beside the body would hold nothing, without a word.
-void require_supports_at_nodes(const exchange::Case& study) {
-  const std::vector<exchange::PlanePoint> vertices = mesh_polygons(study).vertices;
+void require_supports_at_nodes(const exchange::Case& study, const PlaneMesh& mesh) {
   const double slack = round_off(study.geometry);
   for (std::size_t i = 0; i < study.supports.size(); ++i) {
     const exchange::Support& support = study.supports[i];
-    if (std::any_of(vertices.begin(), vertices.end(),
+    if (std::any_of(mesh.vertices.begin(), mesh.vertices.end(),
                     [&](const exchange::PlanePoint& vertex) { return lies_on(support, vertex, slack); }))
       continue;
     throw exchange::InputError(
@@ -141,18 +110,23 @@ std::array<unsigned, 3> cells_along_axes(const exchange::Case& study) {
 
 std::size_t number_of_cells(const exchange::Case& study) {
   if (study.geometry.shape == exchange::Shape::point) return 0;
-  if (study.geometry.drawn()) return mesh_polygons(study).cells.size();
+  if (study.geometry.drawn())
+    return mesh_polygons(study).cells.size() * (study.geometry.dimension == 3 ? slices_along_depth(study) : 1);
   const std::array<unsigned, 3> along = cells_along_axes(study);
   return std::size_t{along[0]} * along[1] * along[2];
 }
 
 void require_solvable(const exchange::Case& study) {
   if (study.geometry.shape == exchange::Shape::point) return;
-  require_known(study);
   require_laws(study);
   require_placement(study);
-  static_cast<void>(number_of_cells(study));
-  if (study.geometry.drawn()) require_supports_at_nodes(study);
+  if (!study.geometry.drawn()) {
+    static_cast<void>(number_of_cells(study));
+    return;
+  }
+  const PlaneMesh mesh = mesh_polygons(study);
+  require_supports_at_nodes(study, mesh);
+  require_stages(study, mesh);
 }
 
 } // namespace settle::fem

@@ -60,18 +60,20 @@ exchange::SamplePoints native_points(const StagedProblem<dim>& problem) {
   dealii::FEValues<dim> values(problem.mapping(), problem.element(), problem.quadrature(),
                                dealii::update_values | dealii::update_gradients | dealii::update_quadrature_points |
                                    dealii::update_JxW_values);
-  std::vector<dealii::Tensor<1, dim>> displacement(values.n_quadrature_points);
+  std::vector<dealii::Tensor<1, dim>> displacement(values.n_quadrature_points), datum(values.n_quadrature_points);
   for (const Cell<dim>& cell : problem.placed_cells()) {
     values.reinit(cell);
     const CellHistory<dim>& history = problem.history().of(cell);
-    values[displacements].get_function_values_from_local_dof_values(history.displacement, displacement);
+    values[displacements].get_function_values_from_local_dof_values(history.counted_displacement(), displacement);
+    if (problem.geometry_moves()) values[displacements].get_function_values_from_local_dof_values(history.datum, datum);
     const std::vector<Measure> measures = problem.formulation().measures(values, history);
     for (const unsigned q : values.quadrature_point_indices()) {
       points.id.push_back(std::uint64_t{cell->active_cell_index()} * values.n_quadrature_points + q);
       points.layer.push_back(layer_of(cell));
       points.refilled.push_back(0);
-      append(points.placed_position, values.quadrature_point(q));
-      append(points.position, values.quadrature_point(q) + displacement[q]);
+      const dealii::Point<dim> placed = values.quadrature_point(q) + datum[q];
+      append(points.placed_position, placed);
+      append(points.position, placed + displacement[q]);
       append(points.displacement, displacement[q]);
       append(points.stress, six_components(history.stress[q]));
       if (problem.yields()) points.plastic_strain.push_back(history.variables[q].plastic_strain);
@@ -109,8 +111,8 @@ double highest_point(const StagedProblem<dim>& problem) {
   for (const Cell<dim>& cell : problem.placed_cells())
     for (const unsigned v : cell->vertex_indices()) {
       const dealii::Point<dim> unit = dealii::GeometryInfo<dim>::unit_cell_vertex(v);
-      double height = problem.mapping().transform_unit_to_real_cell(cell, unit)[dim - 1];
-      if (!problem.formulation().frozen()) height += displacement_at(problem, cell, unit)[dim - 1];
+      double height = placed_position_at(problem, cell, unit)[dim - 1];
+      if (problem.geometry_moves()) height += displacement_at(problem, cell, unit)[dim - 1];
       highest = std::max(highest, height);
     }
   return highest;
@@ -125,7 +127,7 @@ std::map<std::string, exchange::ProbeSamples> ProbeLines<dim>::sample(const Stag
       if (!problem.history().of(probe.cell).placed()) continue;
       samples.layer.push_back(layer_of(probe.cell));
       append(samples.design_position, probe.designed);
-      append(samples.placed_position, problem.mapping().transform_unit_to_real_cell(probe.cell, probe.unit));
+      append(samples.placed_position, placed_position_at(problem, probe.cell, probe.unit));
       append(samples.displacement, displacement_at(problem, probe.cell, probe.unit));
       append(samples.stress, six_components(stress_at(problem, probe.cell, probe.unit)));
     }

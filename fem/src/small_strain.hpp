@@ -21,7 +21,6 @@ public:
   [[nodiscard]] dealii::FullMatrix<double> tangent(const Trial<dim>& trial) const override;
   [[nodiscard]] bool linear() const override { return true; }
   [[nodiscard]] bool symmetric() const override { return true; }
-  [[nodiscard]] bool frozen() const override { return true; }
   /// Density by 1 + tr eps; the volume is that of the frozen geometry.
   [[nodiscard]] std::vector<Measure> measures(const dealii::FEValues<dim>& values,
                                               const CellHistory<dim>& history) const override;

@@ -26,7 +26,6 @@ public:
   [[nodiscard]] dealii::FullMatrix<double> tangent(const Trial<dim>& trial) const override;
   [[nodiscard]] bool linear() const override;
   [[nodiscard]] bool symmetric() const override { return linear(); }
-  [[nodiscard]] bool frozen() const override { return true; }
   /// Density by 1 + tr eps; the volume is that of the frozen geometry.
   [[nodiscard]] std::vector<Measure> measures(const dealii::FEValues<dim>& values,
                                               const CellHistory<dim>& history) const override;

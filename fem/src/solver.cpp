@@ -34,10 +34,11 @@ using Clock = std::chrono::steady_clock;
 /// What the increments of one stage add up to.
 struct Ramp {
   Clock::time_point start = Clock::now();
+  double mass_before = 0.0;
   int increments = 0;
   unsigned linear_solves = 0;
   double reached = 0.0; ///< share of the stage
-  Equilibrium last;
+  Equilibrium last{};
 
   void add(Equilibrium equilibrium, double share) {
     ++increments;
@@ -95,7 +96,7 @@ public:
     exchange::Used used = exchange::used_values(study_, study_.fem.kinematics);
     used.youngs_modulus = study_.fill().youngs_modulus;
     used.poissons_ratio = study_.fill().poissons_ratio;
-    used.density = study_.fill().density;
+    used.density = problem_.density(fill_layer());
     used.gravity = problem_.gravity();
     used.dimension = dim;
     return used;
@@ -105,29 +106,30 @@ public:
                                          const std::optional<std::filesystem::path>& pictures) override {
     std::optional<PictureSeries<dim>> series;
     if (pictures) series.emplace(*pictures);
-    for (int layer = 1; layer <= study_.construction.layers; ++layer) {
-      Ramp ramp;
-      problem_.activate(layer);
-      const bool stands = raise(layer, ramp);
-      if (!stands && ramp.reached == 0.0) return exchange::Failure{layer, 0.0};
-      on_stage(report(layer, ramp));
-      if (series) series->add(problem_, layer);
-      if (!stands) return exchange::Failure{layer, ramp.reached};
+    for (int stage = 1; stage <= study_.n_stages(); ++stage) {
+      Ramp ramp{.mass_before = problem_.mass(entry(stage).layer)};
+      problem_.begin(stage);
+      const bool stands = raise(stage, ramp);
+      if (!stands && ramp.reached == 0.0) return exchange::Failure{stage, 0.0};
+      problem_.finish();
+      on_stage(report(stage, ramp));
+      if (series) series->add(problem_, stage);
+      if (!stands) return exchange::Failure{stage, ramp.reached};
     }
     return {};
   }
 
 private:
   /// The whole stage; false where no equilibrium was found and the case may fail.
-  bool raise(int layer, Ramp& ramp) {
-    const std::vector<double> ends = shares(study_.fem.increments.value_or(1));
-    return std::all_of(ends.begin(), ends.end(), [&](double share) { return advance(share, layer, ramp); });
+  bool raise(int stage, Ramp& ramp) {
+    const std::vector<double> ends = shares(increments(stage));
+    return std::all_of(ends.begin(), ends.end(), [&](double share) { return advance(share, stage, ramp); });
   }
 
   /// From the share of the stage reached to `target`, through halves of the way where that is too far for one
   /// increment. A solve that fails leaves the state as it was accepted last: false where the case may fail, else that
   /// ends the run.
-  bool advance(double target, int layer, Ramp& ramp) {
+  bool advance(double target, int stage, Ramp& ramp) {
     std::vector<double> targets{target};
     while (!targets.empty()) {
       Equilibrium equilibrium = problem_.solve(targets.back());
@@ -139,7 +141,7 @@ private:
       } else if (problem_.formulation().linear() || targets.size() > increment_halvings_allowed) {
         if (study_.construction.may_fail) return false;
         throw not_converged(study_,
-                            {course(layer, ramp.reached, targets.back()), targets.size() > 1, std::move(equilibrium)});
+                            {course(stage, ramp.reached, targets.back()), targets.size() > 1, std::move(equilibrium)});
       } else {
         targets.push_back((ramp.reached + targets.back()) / 2.0);
       }
@@ -148,10 +150,14 @@ private:
   }
 
   /// An increment, for messages.
-  [[nodiscard]] std::string course(int layer, double from, double to) const {
-    const std::optional<double> start = problem_.loading().time({layer, from});
-    if (!start) return fmt::format("layer {} between {:.6g} and {:.6g} of its gravity", layer, from, to);
-    return fmt::format("the motion between t = {:.6g} s and {:.6g} s", *start, *problem_.loading().time({layer, to}));
+  [[nodiscard]] std::string course(int stage, double from, double to) const {
+    if (const std::optional<double> start = problem_.loading().time({stage, from}))
+      return fmt::format("the motion between t = {:.6g} s and {:.6g} s", *start, *problem_.loading().time({stage, to}));
+    const exchange::StageEntry& entry = this->entry(stage);
+    if (entry.action == exchange::Action::place)
+      return fmt::format("layer {} between {:.6g} and {:.6g} of its gravity", entry.layer, from, to);
+    return fmt::format("stage {} (\"{}\") between {:.6g} and {:.6g} of it", stage, exchange::name_of(entry.action),
+                       from, to);
   }
 
   [[nodiscard]] double surface_height(const exchange::SamplePoints& points) const {
@@ -159,7 +165,24 @@ private:
     return std::accumulate(points.volume.begin(), points.volume.end(), 0.0) / plan_area(study_.geometry);
   }
 
-  [[nodiscard]] exchange::Stage report(int layer, const Ramp& ramp) const {
+  [[nodiscard]] const exchange::StageEntry& entry(int stage) const {
+    return study_.stages.at(static_cast<std::size_t>(stage - 1));
+  }
+
+  /// Where nothing changes there is nothing to divide.
+  [[nodiscard]] int increments(int stage) const {
+    return entry(stage).action == exchange::Action::hold ? 1 : study_.fem.increments.value_or(1);
+  }
+
+  /// One of the material that is the case's first.
+  [[nodiscard]] int fill_layer() const {
+    for (int layer = 1; layer <= study_.construction.layers; ++layer)
+      if (&study_.material_of(layer) == &study_.fill()) return layer;
+    return study_.construction.layers;
+  }
+
+  [[nodiscard]] exchange::Stage report(int number, const Ramp& ramp) const {
+    const int layer = entry(number).layer;
     exchange::Stage stage;
     stage.layer = layer;
     stage.steps = ramp.increments;
@@ -170,9 +193,9 @@ private:
     stage.support_reactions = ramp.last.support_reactions;
     stage.points = native_points(problem_);
     stage.probes = probes_.sample(problem_);
-    for (int placed = 1; placed <= layer; ++placed)
-      stage.mass += problem_.mass(placed);
-    stage.mass_placed = problem_.mass(layer);
+    for (const int present : study_.layers_present(number))
+      stage.mass += problem_.mass(present);
+    stage.mass_placed = problem_.mass(layer) - ramp.mass_before;
     stage.weight = stage.mass * problem_.gravity();
     stage.surface_height = surface_height(stage.points);
     stage.wall_time = std::chrono::duration<double>(Clock::now() - ramp.start).count();

@@ -86,15 +86,14 @@ template <int dim>
 auto StagedProblem<dim>::force_per_volume(const Cell& cell, const dealii::FEValues<dim>& values) const
     -> std::vector<dealii::Tensor<1, dim>> {
   dealii::Tensor<1, dim> weight;
-  const double density = of_layer(densities_, layer_of(cell));
-  weight[dim - 1] = -density * gravity_ * loading_.gravity_factor(layer_of(cell), target_);
+  weight[dim - 1] = -density(layer_of(cell)) * gravity_ * loading_.gravity_factor(layer_of(cell), target_);
   std::vector<dealii::Tensor<1, dim>> forces(values.n_quadrature_points, weight);
   if (!loading_.drives()) return forces;
   for (const unsigned q : values.quadrature_point_indices()) {
     const dealii::Point<dim>& position = values.quadrature_point(q);
     const exchange::PlanePoint driving = loading_.driving_force({{position[0], position[1]}, layer_of(cell)}, target_);
     for (unsigned axis = 0; axis < 2; ++axis)
-      forces[q][axis] += density * driving[axis];
+      forces[q][axis] += density(layer_of(cell)) * driving[axis];
   }
   return forces;
 }
@@ -108,6 +107,8 @@ void StagedProblem<dim>::assemble_external() {
         contribution.force = body_force(values, force_per_volume(cell, values));
       },
       [&](const Contribution& contribution) { external_.add(contribution.indices, contribution.force); });
+  surface_loads_.add_to(external_, target_, history_, geometry_.mapping(), element());
+  external_.add(1.0 - target_.share, released_);
 }
 
 template <int dim>

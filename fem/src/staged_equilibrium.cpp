@@ -161,9 +161,8 @@ double StagedProblem<dim>::base_reaction() const {
 template <int dim>
 std::vector<double> StagedProblem<dim>::support_reactions() const {
   std::vector<double> reactions(n_supports_ * dim);
-  if (reactions.empty()) return reactions;
   for (const HeldDof& dof : held_)
-    reactions[dof.support * dim + dof.axis] -= unbalanced_[dof.index];
+    if (dof.support) reactions[*dof.support * dim + dof.axis] -= unbalanced_[dof.index];
   return reactions;
 }
 

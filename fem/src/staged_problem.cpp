@@ -19,9 +19,6 @@
 namespace settle::fem {
 namespace {
 
-constexpr unsigned placed_element = 0;
-constexpr unsigned absent_element = 1;
-
 unsigned degree_of(exchange::FemElement element) {
   switch (element) {
   case exchange::FemElement::Q1:
@@ -78,10 +75,12 @@ template <int dim>
 StagedProblem<dim>::StagedProblem(const exchange::Case& study)
     : choice_(study.fem.linear_solver), formulation_(make_formulation<dim>(study)),
       densities_(for_each_layer(study, [](const exchange::Material& material) { return material.density; })),
-      placed_with_(for_each_layer(study, state_as_placed)), gravity_(study.gravity), loading_(study),
+      placed_with_(for_each_layer(study, state_as_placed)), gravity_(study.gravity),
+      geometry_moves_(study.fem.kinematics == exchange::Kinematics::finite),
       yields_(any_layer(study, [](const auto& material) { return fem::yields(soil_law(material)); })),
       hardens_(any_layer(study, [](const auto& material) { return material.law == exchange::Law::cam_clay; })),
-      n_supports_(study.supports.size()), supports_(study), elements_(elements_for<dim>(degree_of(study.fem.element))),
+      stages_(study.stages), level_ground_(study), loading_(study), surface_loads_(study), supports_(study),
+      n_supports_(study.supports.size()), elements_(elements_for<dim>(degree_of(study.fem.element))),
       quadrature_(degree_of(study.fem.element) + 1), load_quadrature_(load_quadrature(quadrature_, loading_)),
       dofs_(mesh_), history_(0), geometry_(study) {
   make_mesh(study, mesh_);
@@ -89,22 +88,6 @@ StagedProblem<dim>::StagedProblem(const exchange::Case& study)
   history_ = History<dim>(mesh_.n_active_cells());
   for (const auto& cell : dofs_.active_cell_iterators())
     cell->set_active_fe_index(absent_element);
-}
-
-template <int dim>
-void StagedProblem<dim>::activate(int layer) {
-  reached_ = {.stage = layer};
-  largest_load_ = 0.0;
-  for (const auto& cell : dofs_.active_cell_iterators())
-    if (layer_of(cell) == layer) {
-      cell->set_active_fe_index(placed_element);
-      history_.place(cell, geometry_.shape_of_new(cell, history_, element()), element().n_dofs_per_cell(),
-                     quadrature_.size(), of_layer(placed_with_, layer));
-    }
-  geometry_.update(mesh_, history_);
-  distribute_dofs();
-  fix_supports();
-  choose_linear_solver();
 }
 
 template <int dim>
@@ -142,6 +125,7 @@ void StagedProblem<dim>::distribute_dofs() {
     if (history_.of(cell).placed()) placed_.push_back(cell);
   increment_.reinit(dofs_.n_dofs());
   external_.reinit(dofs_.n_dofs());
+  released_.reinit(dofs_.n_dofs());
   unbalanced_.reinit(dofs_.n_dofs());
 }
 

@@ -17,11 +17,13 @@
 
 #include "formulation.hpp"
 #include "history.hpp"
+#include "level_ground.hpp"
 #include "linear_solver.hpp"
 #include "loading.hpp"
 #include "placement.hpp"
 #include "settle/exchange/case.hpp"
 #include "supports.hpp"
+#include "surface_loads.hpp"
 
 namespace settle::fem {
 
@@ -33,13 +35,13 @@ struct Equilibrium {
   unsigned linear_solves = 0;
   bool linear_solver_gave_up = false;
   double base_reaction = 0;              ///< of all that is held vertically, positive upward [N/m or N]
-  std::vector<double> support_reactions; ///< (supports of the case, dim) on the body [N/m]
+  std::vector<double> support_reactions; ///< (supports of the case, dim) force on the body [N/m or N]
 
   [[nodiscard]] double out_of_balance() const { return residuals.back(); }
   [[nodiscard]] bool reached() const;
 };
 
-/// Layers not placed yet have no degrees of freedom. Nodal values are increments of displacement since the last
+/// Layers that are not there have no degrees of freedom. Nodal values are increments of displacement since the last
 /// `accept`; everything before is the history of each cell.
 template <int dim>
 class StagedProblem {
@@ -48,14 +50,17 @@ public:
 
   explicit StagedProblem(const exchange::Case& study);
 
-  /// Places a layer on those below: stress-free, its displacement counted from here.
-  void activate(int layer);
-  /// Finds the displacement increment that brings the layer activated last to a share of its stage, in balance with
-  /// what loads the body and with supports where the motion has them, by Newton's method with a line search. Changes no
-  /// history.
+  /// Begins a stage of the case, 1, 2, ... A layer that it places lies on those below, stress-free but for ground that
+  /// has a k0, its displacement counted from here; one that it removes is gone, and the forces it exerted are still
+  /// there, to be released in the course of the stage as a traction is raised.
+  void begin(int stage);
+  /// Finds the displacement increment that brings the body to a share of the stage, in balance with what loads it and
+  /// with supports where the motion has them, by Newton's method with a line search. Changes no history.
   Equilibrium solve(double share);
-  /// Adds the increment just found to the history: the only place where that changes once a cell is placed.
+  /// Adds the increment just found to the history: the only place where stress and displacement change.
   void accept();
+  /// Ends the stage: after one of existing ground, displacements count from here.
+  void finish();
 
   [[nodiscard]] const dealii::DoFHandler<dim>& dofs() const { return dofs_; }
   /// The element of placed cells.
@@ -72,9 +77,11 @@ public:
   /// Whether any layer's law has plastic strain, and whether any has a preconsolidation pressure.
   [[nodiscard]] bool yields() const { return yields_; }
   [[nodiscard]] bool hardens() const { return hardens_; }
-  /// Cells placed so far.
+  /// Do positions change with displacement? Where they do not, all are those of the design.
+  [[nodiscard]] bool geometry_moves() const { return geometry_moves_; }
+  /// Cells that are there.
   [[nodiscard]] const std::vector<Cell>& placed_cells() const { return placed_; }
-  /// Of a layer that is placed [kg/m or kg].
+  /// Of a layer, as far as it is there [kg/m or kg].
   [[nodiscard]] double mass(int layer) const;
 
 private:
@@ -82,8 +89,13 @@ private:
   [[nodiscard]] dealii::FEValues<dim> cell_values(const dealii::Quadrature<dim>& quadrature) const;
   [[nodiscard]] Trial<dim> trial_of(const Cell& cell, const dealii::FEValues<dim>& values) const;
 
+  [[nodiscard]] std::vector<Cell> cells_of(int layer) const;
+  void place(int layer);
+  void remove(int layer);
+  void set_stress_of_ground();
   void distribute_dofs();
   void fix_supports();
+  void hold_what_was_removed();
   void choose_linear_solver();
 
   void assemble_tangent();
@@ -108,15 +120,19 @@ private:
   std::vector<double> densities_;           ///< (layers) as placed [kg/m3]
   std::vector<StateVariables> placed_with_; ///< (layers) what material remembers when it is placed
   double gravity_;                          ///< [m/s2]
+  bool geometry_moves_, yields_, hardens_;
+  std::vector<exchange::StageEntry> stages_;
+  LevelGround level_ground_;
   Loading loading_;
-  bool yields_, hardens_;
-  std::size_t n_supports_; ///< of polygons
+  SurfaceLoads<dim> surface_loads_;
   Supports<dim> supports_;
+  std::size_t n_supports_;
   Progress reached_, target_; ///< as accepted last, and of the increment that is being solved for
   double largest_load_ = 0.0; ///< of the increments accepted in this stage [N]
 
+  static constexpr unsigned placed_element = 0, absent_element = 1; ///< of `elements_`
   dealii::Triangulation<dim> mesh_;
-  dealii::hp::FECollection<dim> elements_; ///< 0: placed; 1: not placed
+  dealii::hp::FECollection<dim> elements_;
   dealii::QGauss<dim> quadrature_;
   dealii::Quadrature<dim> load_quadrature_; ///< for external forces
   dealii::DoFHandler<dim> dofs_;
@@ -131,9 +147,10 @@ private:
   std::unique_ptr<LinearSolver> linear_solver_; ///< for the layers placed so far
   dealii::Vector<double> increment_;            ///< nodal displacement since the last `accept` [m]
   dealii::Vector<double> external_;             ///< forces at all degrees of freedom [N]
+  dealii::Vector<double> released_;             ///< forces at the start of a stage that are gone at its end [N]
   dealii::Vector<double> unbalanced_;           ///< external minus internal forces at all degrees of freedom [N]
   bool inside_out_ = false;                     ///< the increment has no stress
-  bool prepared_ = false;                       ///< the linear solver, since a layer was placed
+  bool prepared_ = false;                       ///< the linear solver, since the stage began
 };
 
 } // namespace settle::fem

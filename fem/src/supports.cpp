@@ -1,9 +1,12 @@
 #include "supports.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "mesh.hpp"
+#include "placement.hpp"
+#include "section.hpp"
 #include "support_line.hpp"
 
 namespace settle::fem {
@@ -23,9 +26,8 @@ bool on_rollers(const Cell& cell, unsigned i) {
 
 template <int dim>
 Supports<dim>::Supports(const exchange::Case& study)
-    : shape_(study.geometry.shape), supports_(study.supports), slack_(0.0) {
-  if (study.geometry.drawn()) slack_ = round_off(study.geometry);
-}
+    : drawn_(study.geometry.drawn()), supports_(study.supports), slack_(drawn_ ? round_off(study.geometry) : 0.0),
+      depth_(study.geometry.depth.value_or(0.0)) {}
 
 template <int dim>
 std::vector<HeldDof> Supports<dim>::held_dofs(const std::vector<Cell>& placed,
@@ -37,18 +39,18 @@ std::vector<HeldDof> Supports<dim>::held_dofs(const std::vector<Cell>& placed,
     cell->get_dof_indices(indices);
     for (unsigned i = 0; i < indices.size(); ++i) {
       const unsigned axis = element.system_to_component_index(i).first;
-      if (shape_ == exchange::Shape::column) {
-        if (on_rollers(cell, i)) held.try_emplace(indices[i], HeldDof{indices[i], axis, false, {}});
+      if (!drawn_) {
+        if (on_rollers(cell, i)) held.try_emplace(indices[i], HeldDof{indices[i], axis, false, {}, {}});
         continue;
       }
-      const auto position = mapping.transform_unit_to_real_cell(cell, element.unit_support_point(i));
-      const exchange::PlanePoint place{position[0], position[1]};
-      const exchange::Support* support = support_at(place, axis);
-      if (support == nullptr) continue;
-      const bool follows = support->motion == exchange::SupportMotion::exact;
-      const auto number = static_cast<std::size_t>(support - supports_.data());
-      HeldDof& dof = held.try_emplace(indices[i], HeldDof{indices[i], axis, follows, {place, layer_of(cell)}, number})
-                         .first->second;
+      const dealii::Point<dim>& unit = element.unit_support_point(i);
+      const dealii::Point<dim> designed = designed_position(cell, unit);
+      const std::optional<std::size_t> support = support_at(designed, axis);
+      if (!support && !on_end_wall(designed, axis)) continue;
+      const bool follows = support && supports_[*support].motion == exchange::SupportMotion::exact;
+      const auto position = mapping.transform_unit_to_real_cell(cell, unit);
+      const PlacedPoint point{{position[0], position[1]}, layer_of(cell)};
+      HeldDof& dof = held.try_emplace(indices[i], HeldDof{indices[i], axis, follows, support, point}).first->second;
       dof.point.layer = std::min(dof.point.layer, layer_of(cell));
     }
   }
@@ -60,12 +62,21 @@ std::vector<HeldDof> Supports<dim>::held_dofs(const std::vector<Cell>& placed,
 
 /// The first that holds a point of the polygons along an axis; nothing where none does.
 template <int dim>
-const exchange::Support* Supports<dim>::support_at(const exchange::PlanePoint& position, unsigned axis) const {
+std::optional<std::size_t> Supports<dim>::support_at(const dealii::Point<dim>& designed, unsigned axis) const {
+  const bool along_depth = dim == 3 && axis == 1; // no axis of the section: held with both of those
   const exchange::Held other_axis = axis == 0 ? exchange::Held::y : exchange::Held::x;
   const auto support = std::find_if(supports_.begin(), supports_.end(), [&](const exchange::Support& candidate) {
-    return candidate.held != other_axis && lies_on(candidate, position, slack_);
+    const bool holds = along_depth ? candidate.held == exchange::Held::both : candidate.held != other_axis;
+    return holds && lies_on(candidate, in_section(designed), slack_);
   });
-  return support == supports_.end() ? nullptr : &*support;
+  if (support == supports_.end()) return {};
+  return static_cast<std::size_t>(support - supports_.begin());
+}
+
+/// Plane strain: nothing leaves a body in space through its ends.
+template <int dim>
+bool Supports<dim>::on_end_wall(const dealii::Point<dim>& designed, unsigned axis) const {
+  return dim == 3 && axis == 1 && std::min(std::abs(designed[1]), std::abs(designed[1] - depth_)) <= slack_;
 }
 
 template class Supports<2>;

@@ -101,12 +101,13 @@ TEST(Embankment, IsEchoedAsItWasGiven) {
 TEST(Stages, ThatRemoveALayerLeaveTheOthers) {
   const Case study = embankment("\n[[stage]]\nlayer = 1\n[[stage]]\nlayer = 2\n"
                                 "[[stage]]\naction = \"load\"\nfrom = [2, 5]\nto = [-2, 5]\ntraction = [0, -1e4]\n"
-                                "[[stage]]\naction = \"remove\"\nlayer = 2\n",
+                                "[[stage]]\naction = \"remove\"\nlayer = 2\n[[stage]]\naction = \"hold\"\n",
                                 2);
-  EXPECT_EQ(study.n_stages(), 4);
+  EXPECT_EQ(study.n_stages(), 5);
   EXPECT_EQ(study.layer_of_stage(3), 2) << "a load names the layer placed last";
   EXPECT_THAT(study.layers_present(3), testing::ElementsAre(1, 2));
   EXPECT_THAT(study.layers_present(4), testing::ElementsAre(1));
+  EXPECT_THAT(study.layers_present(5), testing::ElementsAre(1)) << "what holds brings nothing back";
 }
 
 TEST(Paths, GiveOneStageALegAndStrainWhereNothingElseIsSaid) {

@@ -17,7 +17,7 @@ TEST(LineSearch, TakesNoStepThatDoesNotBringTheResidualDown) {
   for (const double modulus : {2e4, 1.5e4, 1e4}) {
     study.materials["fill"].youngs_modulus = modulus;
     StagedProblem<2> problem(study);
-    problem.activate(1);
+    problem.begin(1);
     const Equilibrium equilibrium = problem.solve(1.0);
     EXPECT_TRUE(equilibrium.reached()) << modulus;
     EXPECT_GT(equilibrium.linear_solves, 3U) << modulus;

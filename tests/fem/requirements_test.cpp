@@ -1,5 +1,6 @@
 #include "settle/fem/requirements.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -135,11 +136,66 @@ TEST(Requirements, PolygonsAreDividedIntoCells) {
   EXPECT_EQ(number_of_cells(column({.layers = 5, .width = 0.25})), 2U * 40U);
 }
 
-TEST(Requirements, LayersOfPolygonsAtFiniteStrainAreRefusedWithWhatToUse) {
+TEST(Requirements, LayersOfPolygonsAtFiniteStrainLieOnWhatHasSettled) {
   EXPECT_THAT(complaint_about(polygons({"fem.kinematics=finite"})),
-              AllOf(HasSubstr("polygons.toml:11"), HasSubstr("cannot build layers of polygons"),
-                    HasSubstr("a mesh cannot close the gap"), HasSubstr("construction.layers = 2"),
-                    HasSubstr("fem.kinematics = \"small\""), HasSubstr("settle-mpm")));
+              AllOf(HasSubstr("a mesh cannot close the gap"), HasSubstr("fem.kinematics = \"small\""),
+                    HasSubstr("settle-mpm")));
+  for (const char* convention : {"float", "level-up"})
+    EXPECT_EQ(
+        complaint_about(polygons({"fem.kinematics=finite", fmt::format("construction.convention={}", convention)})),
+        "");
+}
+
+exchange::Case at_finite_strain_with(const std::string& second_layer) {
+  return polygons(
+      {"fem.kinematics=finite", "construction.convention=float",
+       "geometry.polygon=[{layer = 1, corners = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]}, {layer = 2, "
+       "corners = " +
+           second_layer + "}]"});
+}
+
+TEST(Requirements, ALayerThatLeansOnAnotherIsRefusedAtFiniteStrain) {
+  exchange::Case study = at_finite_strain_with("[[1.0, 0.0], [2.0, 0.0], [2.0, 1.0], [1.0, 1.0]]");
+  EXPECT_THAT(complaint_about(study), AllOf(HasSubstr("layer 2 leans on what was placed before"), HasSubstr("at (1, "),
+                                            HasSubstr("fem.kinematics = \"small\"")));
+  study.fem.kinematics = exchange::Kinematics::small;
+  EXPECT_EQ(complaint_about(study), "");
+}
+
+TEST(Requirements, ALayerThatLiesOnAnotherInPartIsRefusedAtFiniteStrain) {
+  EXPECT_THAT(complaint_about(at_finite_strain_with("[[0.0, 1.0], [1.0, 1.0], [1.5, 2.0], [0.0, 2.0]]")),
+              AllOf(HasSubstr("layer 2 lies in part on what was placed before"), HasSubstr("divide the layer")));
+}
+
+exchange::Case with_stage(const std::string& stage, std::vector<std::string> overrides = {}) {
+  overrides.push_back("stage=[{action = \"ground\", layer = 1}, {action = \"place\", layer = 2}, " + stage + "]");
+  return polygons(overrides);
+}
+
+TEST(Requirements, ALoadHasToLieOnTheSurfaceThatIsThereAsAWhole) {
+  const auto load = [](const char* from, const char* to) {
+    return fmt::format("{{action = \"load\", from = {}, to = {}, traction = [0.0, -1e3]}}", from, to);
+  };
+  EXPECT_EQ(complaint_about(with_stage(load("[1.0, 1.0]", "[0.75, 1.5]"))), "");
+  EXPECT_THAT(complaint_about(with_stage(load("[1.0, 1.0]", "[0.0, 1.0]"))), // between the layers
+              AllOf(HasSubstr("stage.2 loads what is no surface of the body then"), HasSubstr("of which 0 m")));
+  EXPECT_THAT(complaint_about(with_stage(load("[1.0, 1.5]", "[1.0, 0.5]"))),
+              AllOf(HasSubstr("1 m, of which 0.5 m lie on the surface"), HasSubstr("boundary of what is there")));
+  EXPECT_EQ(complaint_about(with_stage("{action = \"remove\", layer = 2}, " + load("[1.0, 1.0]", "[0.0, 1.0]"))), "");
+}
+
+TEST(Requirements, K0IsForLevelGroundAndForLawsThatKeepStress) {
+  const auto ground = [](int layer, const std::vector<std::string>& overrides) {
+    std::vector<std::string> all = overrides;
+    all.push_back(fmt::format("stage=[{{action = \"ground\", layer = 1{}}}, {{action = \"ground\", layer = 2{}}}]",
+                              layer == 1 ? ", k0 = 0.5" : "", layer == 2 ? ", k0 = 0.5" : ""));
+    return complaint_about(polygons(all));
+  };
+  EXPECT_EQ(ground(1, {}), "");
+  EXPECT_EQ(ground(1, {"fem.kinematics=finite", "construction.convention=float", "material.fill.law=rate"}), "");
+  EXPECT_THAT(ground(1, {"fem.kinematics=finite", "construction.convention=float"}),
+              AllOf(HasSubstr("\"hencky\" has no stress without strain"), HasSubstr("\"rate\"")));
+  EXPECT_THAT(ground(2, {}), AllOf(HasSubstr("layer 2 is not level ground"), HasSubstr("0.5 m2 within 1 m by 1 m")));
 }
 
 TEST(Requirements, ASupportBesideTheBodyIsRefused) {

@@ -24,7 +24,7 @@ constexpr double shortest = 1.0 / 64.0;
 
 TEST_P(SoftColumn, StartsEveryIncrementFromAStateThatHasAStress) {
   StagedProblem<2> problem(study);
-  problem.activate(1);
+  problem.begin(1);
   double reached = 0.0, step = 1.0;
   while (reached < 1.0 && step >= shortest) {
     const Equilibrium equilibrium = problem.solve(std::min(1.0, reached + step));

@@ -1,0 +1,14 @@
+/// \file
+/// What stages ask for that the mesh of a drawn body has to be able to give.
+#pragma once
+
+#include "polygon_mesh.hpp"
+#include "settle/exchange/case.hpp"
+
+namespace settle::fem {
+
+/// Throws InputError where ground with a k0 is not level or its law keeps no stress, where a load does not lie on the
+/// surface as a whole, and where at finite strain a layer lies on others in part only or beside them.
+void require_stages(const exchange::Case& study, const PlaneMesh& mesh);
+
+} // namespace settle::fem
