@@ -12,6 +12,7 @@
 
 #include "settle/exchange/errors.hpp"
 #include "settle/exchange/fitting_size.hpp"
+#include "stage_requirements.hpp"
 
 namespace settle::mpm {
 
@@ -154,12 +155,7 @@ void require_polygons_that_fit(const exchange::Case& study) {
                                 .given = fmt::format("mpm.element = {}", quoted(study.mpm.element)),
                                 .allowed = quoted(exchange::MpmElement::quadrilateral),
                                 .remedy = "set mpm.element = \"quadrilateral\""});
-  if (study.construction.convention != exchange::Convention::drop && study.construction.layers > 1)
-    throw exchange::InputError({.where = study.where("construction.convention"),
-                                .what = "layers of polygons are placed where they are drawn",
-                                .given = quoted(study.construction.convention),
-                                .allowed = quoted(exchange::Convention::drop),
-                                .remedy = {}});
+  require_stages_that_fit(study);
   if (study.mpm.scheme == exchange::Scheme::quasi_static) return;
   for (std::size_t number = 0; number < study.supports.size(); ++number) {
     if (study.supports[number].motion == exchange::SupportMotion::none) continue;
@@ -193,10 +189,6 @@ void require_known(const exchange::Case& study) {
   if (study.fill().law > exchange::Law::neo_hookean)
     refuse("material." + study.construction.material + ".law", "settle-mpm does not know this law",
            fmt::format("\"{}\"", exchange::name_of(study.fill().law)), "\"rate\", \"hencky\" or \"neo-hookean\"");
-  for (std::size_t number = 0; number < study.stages.size(); ++number)
-    if (study.stages[number].action != exchange::Action::place)
-      refuse(fmt::format("stage.{}.action", number), "settle-mpm places layers and does nothing else",
-             fmt::format("\"{}\"", exchange::name_of(study.stages[number].action)), "\"place\"");
 }
 
 } // namespace
