@@ -87,7 +87,8 @@ exchange::NotConverged not_converged(const exchange::Case& study, const Failure&
 template <int dim>
 class Construction final : public Solver::Implementation {
 public:
-  explicit Construction(const exchange::Case& study) : study_(study), problem_(study), probes_(problem_, study) {}
+  explicit Construction(const exchange::Case& study)
+      : study_(study), stages_(study.all_stages()), problem_(study), probes_(problem_, study) {}
 
   [[nodiscard]] exchange::Used used() const override {
     exchange::Used used = exchange::used_values(study_, study_.fem.kinematics);
@@ -151,7 +152,7 @@ private:
   }
 
   [[nodiscard]] const exchange::StageEntry& entry(int stage) const {
-    return study_.stages.at(static_cast<std::size_t>(stage - 1));
+    return stages_.at(static_cast<std::size_t>(stage - 1));
   }
 
   /// Where nothing changes there is nothing to divide.
@@ -188,6 +189,7 @@ private:
   }
 
   exchange::Case study_;
+  std::vector<exchange::StageEntry> stages_;
   StagedProblem<dim> problem_;
   ProbeLines<dim> probes_;
 };

@@ -65,7 +65,7 @@ template <int dim>
 StagedProblem<dim>::StagedProblem(const exchange::Case& study)
     : choice_(study.fem.linear_solver), constants_{study.fill().youngs_modulus, study.fill().poissons_ratio},
       formulation_(make_formulation<dim>(study, constants_)), densities_(densities(study)), gravity_(study.gravity),
-      geometry_moves_(study.fem.kinematics == exchange::Kinematics::finite), stages_(study.stages),
+      geometry_moves_(study.fem.kinematics == exchange::Kinematics::finite), stages_(study.all_stages()),
       level_ground_(study), loading_(study), surface_loads_(study), supports_(study),
       n_supports_(study.supports.size()), elements_(elements_for<dim>(degree_of(study.fem.element))),
       quadrature_(degree_of(study.fem.element) + 1), load_quadrature_(load_quadrature(quadrature_, loading_)),

@@ -177,6 +177,8 @@ void require_known(const exchange::Case& study) {
                                 .allowed = std::move(allowed),
                                 .remedy = {}});
   };
+  if (study.geometry.drawn() && study.geometry.dimension == 3)
+    refuse("geometry.dimension", "settle-mpm fills polygons in a plane only", "3", "2");
   if (study.geometry.shape == exchange::Shape::point)
     refuse("geometry.shape", "settle-mpm drives no single material points", "\"point\"", "a body");
   for (int layer = 1; layer <= study.construction.layers; ++layer) {
