@@ -202,6 +202,9 @@ KeyTable<Fem> fem_keys() {
   keys.real("element_size", &Fem::element_size,
             {.unit = "m", .range = above(0), .doc = "edge of a cell; the layer thickness must be a multiple of it"});
   keys.choice("kinematics", &Fem::kinematics, {.doc = "small strains on the design geometry, or finite strains"});
+  keys.choice("integration", &Fem::integration,
+              {.left_out = "b-bar where a material yields, else full",
+               .doc = "of a cell's change of volume: in full, or by the projection (B-bar) that does not lock"});
   keys.integer("increments", &Fem::increments,
                {.range = at_least(1),
                 .left_out = "1 (small), 4 (finite)",

@@ -35,8 +35,7 @@ int main(int argc, char** argv) {
                                .threads = [](const exchange::Case& study) { return study.fem.threads; },
                                .solve =
                                    [&](const exchange::Case& study, const exchange::StageSink& on_stage) {
-                                     settle::fem::Solver(study).build(on_stage, pictures);
-                                     return std::optional<exchange::Failure>();
+                                     return settle::fem::Solver(study).build(on_stage, pictures);
                                    }},
                               argc, argv);
 }

@@ -18,6 +18,7 @@ struct Elasticity {
     return youngs_modulus * poissons_ratio / ((1.0 + poissons_ratio) * (1.0 - 2.0 * poissons_ratio));
   }
   [[nodiscard]] double shear_modulus() const { return youngs_modulus / (2.0 * (1.0 + poissons_ratio)); }
+  [[nodiscard]] double bulk_modulus() const { return youngs_modulus / (3.0 * (1.0 - 2.0 * poissons_ratio)); }
 };
 
 /// The stiffness D of sigma = D : eps [Pa].
@@ -32,6 +33,10 @@ dealii::SymmetricTensor<4, dim> stiffness(const Elasticity& law) {
 inline dealii::SymmetricTensor<2, 3> hooke(const Elasticity& law, const dealii::SymmetricTensor<2, 3>& strain) {
   return law.lame() * dealii::trace(strain) * dealii::unit_symmetric_tensor<3>() + 2.0 * law.shear_modulus() * strain;
 }
+
+/// Rows and columns of the six components xx yy zz xy yz xz.
+constexpr std::array<std::array<unsigned, 2>, 6> places_of_components{
+    {{{0, 0}}, {{1, 1}}, {{2, 2}}, {{0, 1}}, {{1, 2}}, {{0, 2}}}};
 
 /// All six components xx yy zz xy yz xz [Pa], tension positive.
 inline std::array<double, 6> six_components(const dealii::SymmetricTensor<2, 3>& stress) {

@@ -3,27 +3,12 @@
 #include <cmath>
 
 #include "left_stretch.hpp"
+#include "moduli.hpp"
 
 namespace settle::fem {
 namespace {
 
 using Symmetric = dealii::SymmetricTensor<2, 3>;
-
-/// The moduli of a linear map of symmetric tensors, column by column.
-template <class Map>
-dealii::SymmetricTensor<4, 3> moduli_of(const Map& map) {
-  dealii::SymmetricTensor<4, 3> moduli;
-  for (unsigned k = 0; k < 3; ++k)
-    for (unsigned l = k; l < 3; ++l) {
-      Symmetric unit;
-      unit[k][l] = k == l ? 1.0 : 0.5; // the other half stands at [l][k]
-      const Symmetric column = map(unit);
-      for (unsigned i = 0; i < 3; ++i)
-        for (unsigned j = i; j < 3; ++j)
-          moduli[i][j][k][l] = column[i][j];
-    }
-  return moduli;
-}
 
 /// w x - x w
 Symmetric spun(const dealii::Tensor<2, 3>& w, const Symmetric& x) {
@@ -86,8 +71,12 @@ std::optional<PointResponse> respond(exchange::Law law, const Elasticity& consta
     return hencky(constants, motion.after, volume_ratio, wanted);
   case exchange::Law::neo_hookean:
     return neo_hookean(constants, motion.after, volume_ratio, wanted);
-  default:
-    break;
+  case exchange::Law::tresca:
+  case exchange::Law::mohr_coulomb:
+  case exchange::Law::drucker_prager:
+  case exchange::Law::cam_clay:
+  case exchange::Law::stress_dependent:
+    break; // small strain only
   }
   return {};
 }

@@ -34,9 +34,10 @@ Motions<dim> motions(const Trial<dim>& trial) {
 
 template <int dim>
 auto FiniteStrain<dim>::stress(const Trial<dim>& trial) const -> std::optional<std::vector<Stress>> {
+  const auto& [law, constants] = of_layer(laws_, trial.layer);
   std::vector<Stress> stress;
   for (const PointMotion& motion : motions(trial).in_space) {
-    const std::optional<PointResponse> response = respond(law_, constants_, motion, Wanted::stress);
+    const std::optional<PointResponse> response = respond(law, constants, motion, Wanted::stress);
     if (!response) return {};
     stress.push_back(response->kirchhoff / response->volume_ratio);
   }
@@ -55,10 +56,11 @@ dealii::Vector<double> FiniteStrain<dim>::internal_force(const Trial<dim>& trial
 
 template <int dim>
 dealii::FullMatrix<double> FiniteStrain<dim>::tangent(const Trial<dim>& trial) const {
+  const auto& [law, constants] = of_layer(laws_, trial.layer);
   const Motions<dim> all = motions(trial);
   std::vector<DeformedPoint<dim>> points(all.motion.size());
   for (std::size_t q = 0; q < points.size(); ++q) {
-    const PointResponse response = respond(law_, constants_, all.in_space[q]).value();
+    const PointResponse response = respond(law, constants, all.in_space[q]).value();
     points[q] = {invert(all.motion[q]), in_plane<dim>(response.kirchhoff), in_plane<dim>(response.moduli)};
   }
   return tangent_matrix(trial.values, points);

@@ -21,6 +21,7 @@ struct Trial {
   const dealii::FEValues<dim>& values; ///< on the cell as placed
   const CellHistory<dim>& history;
   std::vector<double> increment; ///< (dofs) of displacement [m]
+  int layer = 1;                 ///< whose material it is
 
   /// (dofs) since placement, at the end of the increment [m].
   [[nodiscard]] std::vector<double> displacement() const {
@@ -36,6 +37,12 @@ struct Measure {
   double volume_ratio;  ///< volume the solver gives it over that as placed
 };
 
+/// What is given for each layer, for one of them; layers are numbered from 1.
+template <class Value>
+const Value& of_layer(const std::vector<Value>& values, int layer) {
+  return values.at(static_cast<std::size_t>(layer - 1));
+}
+
 template <int dim>
 class Formulation {
 public:
@@ -48,6 +55,10 @@ public:
 
   /// (quadrature points) Cauchy stress [Pa]; nothing where a point is turned inside out.
   [[nodiscard]] virtual std::optional<std::vector<Stress>> stress(const Trial<dim>& trial) const = 0;
+  /// (quadrature points) what the soil remembers at the end of the increment. The trial must have a stress.
+  [[nodiscard]] virtual std::vector<StateVariables> variables(const Trial<dim>& trial) const {
+    return trial.history.variables;
+  }
   /// (dofs) internal force of that stress [N].
   [[nodiscard]] virtual dealii::Vector<double> internal_force(const Trial<dim>& trial,
                                                               const std::vector<Stress>& stress) const = 0;
@@ -57,6 +68,8 @@ public:
   [[nodiscard]] virtual bool linear() const = 0;
   /// Whether the tangent is symmetric in every state.
   [[nodiscard]] virtual bool symmetric() const = 0;
+  /// Whether the geometry is that of the design, whatever has settled.
+  [[nodiscard]] virtual bool frozen() const = 0;
   /// (quadrature points) in the accepted state.
   [[nodiscard]] virtual std::vector<Measure> measures(const dealii::FEValues<dim>& values,
                                                       const CellHistory<dim>& history) const = 0;

@@ -1,5 +1,5 @@
 /// \file
-/// What a placed cell remembers: where it was placed, displacement since, and stress.
+/// What a placed cell remembers: where it was placed, displacement since, stress, and what its soil remembers.
 #pragma once
 
 #include <algorithm>
@@ -12,6 +12,8 @@
 #include <deal.II/grid/tria_accessor.h>
 #include <deal.II/grid/tria_iterator.h>
 
+#include "soil/soil_point.hpp"
+
 namespace settle::fem {
 
 /// All members are empty until the cell is placed.
@@ -21,6 +23,7 @@ struct CellHistory {
   std::vector<double> displacement;                  ///< (dofs per cell) since placement [m]
   std::vector<dealii::SymmetricTensor<2, 3>> stress; ///< (quadrature points) Cauchy [Pa]
   std::vector<double> datum{};                       ///< (dofs per cell) displacement that counts as none [m]
+  std::vector<StateVariables> variables{};           ///< (quadrature points)
 
   [[nodiscard]] bool placed() const { return !displacement.empty(); }
   /// (dofs per cell) displacement as it is reported: that of existing ground counts from its state of rest [m].
@@ -41,9 +44,11 @@ public:
 
   /// Stress-free and undisplaced from here on.
   template <class Cell>
-  void place(const Cell& cell, std::vector<dealii::Point<dim>> shape, unsigned n_dofs, unsigned n_quadrature_points) {
+  void place(const Cell& cell, std::vector<dealii::Point<dim>> shape, unsigned n_dofs, unsigned n_quadrature_points,
+             const StateVariables& variables) {
     of(cell) = {std::move(shape), std::vector<double>(n_dofs),
-                std::vector<dealii::SymmetricTensor<2, 3>>(n_quadrature_points), std::vector<double>(n_dofs)};
+                std::vector<dealii::SymmetricTensor<2, 3>>(n_quadrature_points), std::vector<double>(n_dofs),
+                std::vector<StateVariables>(n_quadrature_points, variables)};
   }
   template <class Cell>
   void remove(const Cell& cell) {

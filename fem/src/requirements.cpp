@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "materials.hpp"
 #include "polygon_mesh.hpp"
 #include "settle/exchange/errors.hpp"
 #include "settle/exchange/fitting_size.hpp"
@@ -37,25 +38,45 @@ void require_placement(const exchange::Case& study) {
   if (convention == Convention::drop && study.construction.layers > 1) refuse(why_not_drop);
 }
 
-/// What cases may ask for and this program does not do.
-void require_known(const exchange::Case& study) {
-  const auto refuse = [&](const std::string& key, std::string what, std::string given, std::string allowed) {
-    throw exchange::InputError({.where = study.where(key),
-                                .what = std::move(what),
-                                .given = std::move(given),
-                                .allowed = std::move(allowed),
-                                .remedy = {}});
-  };
-  if (study.geometry.shape == exchange::Shape::point)
-    refuse("geometry.shape", "settle-fem drives no single material points", "\"point\"", "a body");
-  for (int layer = 1; layer <= study.construction.layers; ++layer) {
-    if (&study.material_of(layer) != &study.fill())
-      refuse("geometry", "settle-fem builds of one material", fmt::format("another in layer {}", layer),
-             "the same material in all layers");
-  }
-  if (study.fill().law > exchange::Law::neo_hookean)
-    refuse("material." + study.construction.material + ".law", "settle-fem does not know this law",
-           fmt::format("\"{}\"", exchange::name_of(study.fill().law)), "\"rate\", \"hencky\" or \"neo-hookean\"");
+/// Soils act on increments of small strain.
+void require_finite_law(const exchange::Case& study, const std::string& name) {
+  using exchange::Law;
+  const Law law = study.materials.at(name).law;
+  if (law == Law::rate || law == Law::hencky || law == Law::neo_hookean) return;
+  throw exchange::InputError(
+      exchange::Complaint{.where = study.where("material." + name + ".law"),
+                          .what = fmt::format("finite elements at finite strain have no law \"{}\"", name_of(law)),
+                          .given = fmt::format("law = \"{}\" with fem.kinematics = \"finite\"", name_of(law)),
+                          .allowed = "\"rate\", \"hencky\" or \"neo-hookean\"",
+                          .remedy = "use fem.kinematics = \"small\""});
+}
+
+/// At small strain all laws are known, as long as there is a stiffness to start from.
+void require_stiffness(const exchange::Case& study, const std::string& name) {
+  const exchange::Material& material = study.materials.at(name);
+  if (material.law != exchange::Law::cam_clay || material.attraction.value_or(0.0) > 0.0) return;
+  throw exchange::InputError(
+      exchange::Complaint{.where = study.where("material." + name),
+                          .what = "cam-clay without attraction has no stiffness where it is placed, free of stress",
+                          .given = fmt::format("material.{}.attraction = 0", name),
+                          .allowed = "a pressure above 0 [Pa] in a body",
+                          .remedy = "give an attraction that is small against the stresses to come"});
+}
+
+bool builds_of(const exchange::Case& study, const exchange::Material& material) {
+  return any_layer(study, [&](const exchange::Material& of_layer) { return &of_layer == &material; });
+}
+
+void require_laws(const exchange::Case& study) {
+  const bool finite = study.fem.kinematics == exchange::Kinematics::finite;
+  for (const auto& [name, material] : study.materials)
+    if (builds_of(study, material)) finite ? require_finite_law(study, name) : require_stiffness(study, name);
+  if (finite && study.fem.integration == exchange::FemIntegration::b_bar)
+    throw exchange::InputError(exchange::Complaint{.where = study.where("fem.integration"),
+                                                   .what = "finite elements at finite strain are integrated in full",
+                                                   .given = "fem.integration = \"b-bar\"",
+                                                   .allowed = "\"full\"",
+                                                   .remedy = "leave it out, or use fem.kinematics = \"small\""});
 }
 
 /// A support that is drawn beside the body would hold nothing, without a word.
@@ -88,6 +109,7 @@ std::array<unsigned, 3> cells_along_axes(const exchange::Case& study) {
 }
 
 std::size_t number_of_cells(const exchange::Case& study) {
+  if (study.geometry.shape == exchange::Shape::point) return 0;
   if (study.geometry.drawn())
     return mesh_polygons(study).cells.size() * (study.geometry.dimension == 3 ? slices_along_depth(study) : 1);
   const std::array<unsigned, 3> along = cells_along_axes(study);
@@ -95,7 +117,8 @@ std::size_t number_of_cells(const exchange::Case& study) {
 }
 
 void require_solvable(const exchange::Case& study) {
-  require_known(study);
+  if (study.geometry.shape == exchange::Shape::point) return;
+  require_laws(study);
   require_placement(study);
   if (!study.geometry.drawn()) {
     static_cast<void>(number_of_cells(study));

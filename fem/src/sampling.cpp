@@ -76,6 +76,8 @@ exchange::SamplePoints native_points(const StagedProblem<dim>& problem) {
       append(points.position, placed + displacement[q]);
       append(points.displacement, displacement[q]);
       append(points.stress, six_components(history.stress[q]));
+      if (problem.yields()) points.plastic_strain.push_back(history.variables[q].plastic_strain);
+      if (problem.hardens()) points.preconsolidation_pressure.push_back(history.variables[q].preconsolidation_pressure);
       points.density.push_back(problem.density(layer_of(cell)) * measures[q].density_ratio);
       points.volume.push_back(values.JxW(q) * measures[q].volume_ratio);
     }

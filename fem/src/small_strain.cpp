@@ -7,10 +7,11 @@ namespace settle::fem {
 
 template <int dim>
 auto SmallStrain<dim>::stress(const Trial<dim>& trial) const -> std::optional<std::vector<Stress>> {
+  const Elasticity& constants = of_layer(constants_, trial.layer);
   std::vector<Stress> stress = trial.history.stress;
   const auto increments = strains(trial.values, trial.increment);
   for (std::size_t q = 0; q < stress.size(); ++q)
-    stress[q] += hooke(constants_, symmetrize(in_space<dim>(dealii::Tensor<2, dim>(increments[q]))));
+    stress[q] += hooke(constants, symmetrize(in_space<dim>(dealii::Tensor<2, dim>(increments[q]))));
   return stress;
 }
 
@@ -25,7 +26,7 @@ dealii::Vector<double> SmallStrain<dim>::internal_force(const Trial<dim>& trial,
 
 template <int dim>
 dealii::FullMatrix<double> SmallStrain<dim>::tangent(const Trial<dim>& trial) const {
-  return stiffness_matrix(trial.values, stiffness<dim>(constants_));
+  return stiffness_matrix(trial.values, stiffness<dim>(of_layer(constants_, trial.layer)));
 }
 
 template <int dim>

@@ -12,7 +12,8 @@ class SmallStrain final : public Formulation<dim> {
 public:
   using typename Formulation<dim>::Stress;
 
-  explicit SmallStrain(const Elasticity& constants) : constants_(constants) {}
+  /// Of each layer.
+  explicit SmallStrain(std::vector<Elasticity> constants) : constants_(std::move(constants)) {}
 
   [[nodiscard]] std::optional<std::vector<Stress>> stress(const Trial<dim>& trial) const override;
   [[nodiscard]] dealii::Vector<double> internal_force(const Trial<dim>& trial,
@@ -20,12 +21,13 @@ public:
   [[nodiscard]] dealii::FullMatrix<double> tangent(const Trial<dim>& trial) const override;
   [[nodiscard]] bool linear() const override { return true; }
   [[nodiscard]] bool symmetric() const override { return true; }
+  [[nodiscard]] bool frozen() const override { return true; }
   /// Density by 1 + tr eps; the volume is that of the frozen geometry.
   [[nodiscard]] std::vector<Measure> measures(const dealii::FEValues<dim>& values,
                                               const CellHistory<dim>& history) const override;
 
 private:
-  Elasticity constants_;
+  std::vector<Elasticity> constants_; ///< (layers)
 };
 
 } // namespace settle::fem

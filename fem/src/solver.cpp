@@ -1,5 +1,6 @@
 #include "settle/fem/solver.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <numeric>
 #include <vector>
@@ -8,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "pictures.hpp"
+#include "point_paths.hpp"
 #include "sampling.hpp"
 #include "settle/exchange/errors.hpp"
 #include "settle/fem/requirements.hpp"
@@ -21,7 +23,8 @@ struct Solver::Implementation {
   Implementation& operator=(const Implementation&) = delete;
   virtual ~Implementation() = default;
   [[nodiscard]] virtual exchange::Used used() const = 0;
-  virtual void build(const StageSink& on_stage, const std::optional<std::filesystem::path>& pictures) = 0;
+  virtual std::optional<exchange::Failure> build(const StageSink& on_stage,
+                                                 const std::optional<std::filesystem::path>& pictures) = 0;
 };
 
 namespace {
@@ -92,32 +95,42 @@ public:
 
   [[nodiscard]] exchange::Used used() const override {
     exchange::Used used = exchange::used_values(study_, study_.fem.kinematics);
-    used.youngs_modulus = problem_.constants().youngs_modulus;
-    used.poissons_ratio = problem_.constants().poissons_ratio;
+    used.youngs_modulus = study_.fill().youngs_modulus;
+    used.poissons_ratio = study_.fill().poissons_ratio;
     used.density = problem_.density(fill_layer());
     used.gravity = problem_.gravity();
     used.dimension = dim;
     return used;
   }
 
-  void build(const StageSink& on_stage, const std::optional<std::filesystem::path>& pictures) override {
+  std::optional<exchange::Failure> build(const StageSink& on_stage,
+                                         const std::optional<std::filesystem::path>& pictures) override {
     std::optional<PictureSeries<dim>> series;
     if (pictures) series.emplace(*pictures);
     for (int stage = 1; stage <= study_.n_stages(); ++stage) {
       Ramp ramp{.mass_before = problem_.mass(entry(stage).layer)};
       problem_.begin(stage);
-      for (const double share : shares(increments(stage)))
-        advance(share, stage, ramp);
-      problem_.finish();
+      const bool stands = raise(stage, ramp);
+      if (!stands && ramp.reached == 0.0) return exchange::Failure{.stage = stage, .share = 0.0};
+      if (stands) problem_.finish();
       on_stage(report(stage, ramp));
       if (series) series->add(problem_, stage);
+      if (!stands) return exchange::Failure{.stage = stage, .share = ramp.reached};
     }
+    return {};
   }
 
 private:
+  /// The whole stage; false where no equilibrium was found and the case may fail.
+  bool raise(int stage, Ramp& ramp) {
+    const std::vector<double> ends = shares(increments(stage));
+    return std::all_of(ends.begin(), ends.end(), [&](double share) { return advance(share, stage, ramp); });
+  }
+
   /// From the share of the stage reached to `target`, through halves of the way where that is too far for one
-  /// increment. A solve that fails leaves the state as it was accepted last.
-  void advance(double target, int stage, Ramp& ramp) {
+  /// increment. A solve that fails leaves the state as it was accepted last: false where the case may fail, else that
+  /// ends the run.
+  bool advance(double target, int stage, Ramp& ramp) {
     std::vector<double> targets{target};
     while (!targets.empty()) {
       Equilibrium equilibrium = problem_.solve(targets.back());
@@ -127,12 +140,14 @@ private:
         ramp.add(std::move(equilibrium), targets.back());
         targets.pop_back();
       } else if (problem_.formulation().linear() || targets.size() > increment_halvings_allowed) {
+        if (study_.construction.may_fail) return false;
         throw not_converged(study_,
                             {course(stage, ramp.reached, targets.back()), targets.size() > 1, std::move(equilibrium)});
       } else {
         targets.push_back((ramp.reached + targets.back()) / 2.0);
       }
     }
+    return true;
   }
 
   /// An increment, for messages.
@@ -194,10 +209,35 @@ private:
   ProbeLines<dim> probes_;
 };
 
+/// Single material points.
+class Paths final : public Solver::Implementation {
+public:
+  explicit Paths(exchange::Case study) : study_(std::move(study)) {}
+
+  [[nodiscard]] exchange::Used used() const override {
+    exchange::Used used = exchange::used_values(study_, study_.fem.kinematics);
+    used.youngs_modulus = study_.fill().youngs_modulus;
+    used.poissons_ratio = study_.fill().poissons_ratio;
+    used.density = study_.fill().density;
+    used.gravity = study_.gravity;
+    used.dimension = study_.geometry.dimension;
+    return used;
+  }
+  std::optional<exchange::Failure> build(const StageSink& on_stage,
+                                         const std::optional<std::filesystem::path>& /*pictures*/) override {
+    follow_paths(study_, on_stage);
+    return {};
+  }
+
+private:
+  exchange::Case study_;
+};
+
 /// deal.II knows one number of threads in a process.
 std::unique_ptr<Solver::Implementation> make_implementation(const exchange::Case& study) {
   require_solvable(study);
   dealii::MultithreadInfo::set_thread_limit(static_cast<unsigned>(study.fem.threads));
+  if (study.geometry.shape == exchange::Shape::point) return std::make_unique<Paths>(study);
   if (study.geometry.dimension == 3) return std::make_unique<Construction<3>>(study);
   return std::make_unique<Construction<2>>(study);
 }
@@ -213,8 +253,9 @@ exchange::Used Solver::used() const {
   return implementation_->used();
 }
 
-void Solver::build(const StageSink& on_stage, const std::optional<std::filesystem::path>& pictures) {
-  implementation_->build(on_stage, pictures);
+std::optional<exchange::Failure> Solver::build(const StageSink& on_stage,
+                                               const std::optional<std::filesystem::path>& pictures) {
+  return implementation_->build(on_stage, pictures);
 }
 
 } // namespace settle::fem

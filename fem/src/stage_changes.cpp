@@ -52,7 +52,8 @@ void StagedProblem<dim>::place(int layer) {
   auto shapes = geometry_.shapes_of_new(cells, history_, element());
   for (std::size_t i = 0; i < cells.size(); ++i) {
     cells[i]->set_active_fe_index(placed_element);
-    history_.place(cells[i], std::move(shapes[i]), element().n_dofs_per_cell(), quadrature_.size());
+    history_.place(cells[i], std::move(shapes[i]), element().n_dofs_per_cell(), quadrature_.size(),
+                   of_layer(placed_with_, layer));
   }
   geometry_.update(mesh_, history_);
 }

@@ -138,7 +138,9 @@ void StagedProblem<dim>::accept() {
       [&](const Cell& cell, const dealii::FEValues<dim>& values, Contribution&) {
         const Trial<dim> trial = trial_of(cell, values);
         CellHistory<dim>& history = history_.of(cell);
+        std::vector<StateVariables> variables = formulation_->variables(trial); // from those at the start
         history.stress = formulation_->stress(trial).value();
+        history.variables = std::move(variables);
         history.displacement = trial.displacement();
       },
       nothing_to_add);

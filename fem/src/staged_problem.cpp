@@ -9,9 +9,11 @@
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 
 #include "finite_strain.hpp"
+#include "materials.hpp"
 #include "mesh.hpp"
 #include "rigid_motions.hpp"
 #include "small_strain.hpp"
+#include "soil_strain.hpp"
 
 namespace settle::fem {
 namespace {
@@ -32,13 +34,27 @@ dealii::hp::FECollection<dim> elements_for(unsigned degree) {
                                        dealii::FESystem<dim>(dealii::FE_Nothing<dim>(), dim));
 }
 
+/// What small strain needs: cells of one stiffness, or soils.
 template <int dim>
-std::unique_ptr<Formulation<dim>> make_formulation(const exchange::Case& study, const Elasticity& constants) {
+std::unique_ptr<Formulation<dim>> make_small_strain(const exchange::Case& study) {
+  std::vector<SoilLaw> laws = for_each_layer(study, soil_law);
+  const exchange::FemIntegration integration = integration_of(study);
+  const bool elastic =
+      std::all_of(laws.begin(), laws.end(), [](const SoilLaw& law) { return std::holds_alternative<Elasticity>(law); });
+  if (elastic && integration == exchange::FemIntegration::full)
+    return std::make_unique<SmallStrain<dim>>(for_each_layer(study, elasticity));
+  return std::make_unique<SoilStrain<dim>>(std::move(laws), integration);
+}
+
+template <int dim>
+std::unique_ptr<Formulation<dim>> make_formulation(const exchange::Case& study) {
   switch (study.fem.kinematics) {
   case exchange::Kinematics::small:
-    return std::make_unique<SmallStrain<dim>>(constants);
+    return make_small_strain<dim>(study);
   case exchange::Kinematics::finite:
-    return std::make_unique<FiniteStrain<dim>>(study.fill().law, constants);
+    return std::make_unique<FiniteStrain<dim>>(for_each_layer(study, [](const exchange::Material& material) {
+      return FiniteLaw{material.law, elasticity(material)};
+    }));
   }
   return nullptr;
 }
@@ -52,22 +68,18 @@ dealii::Quadrature<dim> load_quadrature(const dealii::QGauss<dim>& quadrature, c
   return dealii::QIterated<dim>(dealii::QGauss<1>(quadrature.get_tensor_basis()[0].size()), parts_along_an_edge);
 }
 
-std::vector<double> densities(const exchange::Case& study) {
-  std::vector<double> densities;
-  for (int layer = 1; layer <= study.construction.layers; ++layer)
-    densities.push_back(study.material_of(layer).density);
-  return densities;
-}
-
 } // namespace
 
 template <int dim>
 StagedProblem<dim>::StagedProblem(const exchange::Case& study)
-    : choice_(study.fem.linear_solver), constants_{study.fill().youngs_modulus, study.fill().poissons_ratio},
-      formulation_(make_formulation<dim>(study, constants_)), densities_(densities(study)), gravity_(study.gravity),
+    : choice_(study.fem.linear_solver), formulation_(make_formulation<dim>(study)),
+      densities_(for_each_layer(study, [](const exchange::Material& material) { return material.density; })),
+      placed_with_(for_each_layer(study, state_as_placed)), gravity_(study.gravity),
       geometry_moves_(study.fem.kinematics == exchange::Kinematics::finite), stages_(study.all_stages()),
-      level_ground_(study), loading_(study), surface_loads_(study), supports_(study),
-      n_supports_(study.supports.size()), elements_(elements_for<dim>(degree_of(study.fem.element))),
+      level_ground_(study), loading_(study), surface_loads_(study),
+      yields_(any_layer(study, [](const auto& material) { return fem::yields(soil_law(material)); })),
+      hardens_(any_layer(study, [](const auto& material) { return material.law == exchange::Law::cam_clay; })),
+      supports_(study), n_supports_(study.supports.size()), elements_(elements_for<dim>(degree_of(study.fem.element))),
       quadrature_(degree_of(study.fem.element) + 1), load_quadrature_(load_quadrature(quadrature_, loading_)),
       dofs_(mesh_), history_(0), geometry_(study) {
   make_mesh(study, mesh_);
@@ -101,7 +113,7 @@ template <int dim>
 Trial<dim> StagedProblem<dim>::trial_of(const Cell& cell, const dealii::FEValues<dim>& values) const {
   std::vector<double> increment(element().n_dofs_per_cell());
   cell->get_dof_values(increment_, increment.begin(), increment.end());
-  return {values, history_.of(cell), std::move(increment)};
+  return {values, history_.of(cell), std::move(increment), layer_of(cell)};
 }
 
 template <int dim>

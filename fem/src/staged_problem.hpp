@@ -15,7 +15,6 @@
 #include <deal.II/lac/sparse_matrix.h>
 #include <deal.II/lac/vector.h>
 
-#include "elasticity.hpp"
 #include "formulation.hpp"
 #include "history.hpp"
 #include "level_ground.hpp"
@@ -71,13 +70,15 @@ public:
   [[nodiscard]] const dealii::Mapping<dim>& mapping() const { return geometry_.mapping(); }
   [[nodiscard]] const Formulation<dim>& formulation() const { return *formulation_; }
   [[nodiscard]] const History<dim>& history() const { return history_; }
-  [[nodiscard]] const Elasticity& constants() const { return constants_; }
-  /// Of a layer as placed [kg/m3].
-  [[nodiscard]] double density(int layer) const { return densities_.at(static_cast<std::size_t>(layer - 1)); }
+  /// As placed, of the material of a layer [kg/m3].
+  [[nodiscard]] double density(int layer) const { return of_layer(densities_, layer); }
   [[nodiscard]] double gravity() const { return gravity_; }
   [[nodiscard]] const Loading& loading() const { return loading_; }
   /// Do positions change with displacement? Where they do not, all are those of the design.
   [[nodiscard]] bool geometry_moves() const { return geometry_moves_; }
+  /// Whether any layer's law has plastic strain, and whether any has a preconsolidation pressure.
+  [[nodiscard]] bool yields() const { return yields_; }
+  [[nodiscard]] bool hardens() const { return hardens_; }
   /// Cells that are there.
   [[nodiscard]] const std::vector<Cell>& placed_cells() const { return placed_; }
   /// Of a layer, as far as it is there [kg/m or kg].
@@ -115,15 +116,16 @@ private:
   [[nodiscard]] std::vector<double> support_reactions() const;
 
   exchange::FemLinearSolver choice_;
-  Elasticity constants_;
   std::unique_ptr<Formulation<dim>> formulation_;
-  std::vector<double> densities_; ///< of the layers [kg/m3]
-  double gravity_;                ///< [m/s2]
+  std::vector<double> densities_;           ///< (layers) as placed [kg/m3]
+  std::vector<StateVariables> placed_with_; ///< (layers) what material remembers when it is placed
+  double gravity_;                          ///< [m/s2]
   bool geometry_moves_;
   std::vector<exchange::StageEntry> stages_;
   LevelGround level_ground_;
   Loading loading_;
   SurfaceLoads<dim> surface_loads_;
+  bool yields_, hardens_;
   Supports<dim> supports_;
   std::size_t n_supports_;
   Progress reached_, target_; ///< as accepted last, and of the increment that is being solved for

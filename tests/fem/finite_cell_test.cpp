@@ -91,7 +91,7 @@ TYPED_TEST(DistortedCell, TheTangentIsTheDerivativeOfTheInternalForce) {
   constexpr int dim = TypeParam::dim;
   constexpr double step = 1e-6; // of a cell a third wide
   for (const Law law : all_laws) {
-    const FiniteStrain<dim> formulation(law, constants);
+    const FiniteStrain<dim> formulation({{law, constants}});
     this->accept(formulation, this->any(0.01, 0.4));
     const std::vector<double> increment = this->any(0.01, 2.0);
     const auto tangent = formulation.tangent({this->values, this->history, increment});
@@ -111,7 +111,7 @@ TYPED_TEST(DistortedCell, TheTangentIsTheDerivativeOfTheInternalForce) {
 TYPED_TEST(DistortedCell, ALargeRigidRotationMeetsNoResistance) {
   constexpr int dim = TypeParam::dim;
   for (const Law law : all_laws) {
-    const FiniteStrain<dim> formulation(law, constants);
+    const FiniteStrain<dim> formulation({{law, constants}});
     EXPECT_LT(this->force(formulation, this->linear(this->turn(1.5))).l2_norm(), 1e-13) << exchange::name_of(law);
   }
 }
@@ -120,7 +120,7 @@ TYPED_TEST(DistortedCell, ARotationTurnsTheForcesOfADeformedCell) {
   constexpr int dim = TypeParam::dim;
   const dealii::Tensor<2, dim> turn = this->turn(1.0);
   for (const Law law : all_laws) {
-    const FiniteStrain<dim> formulation(law, constants);
+    const FiniteStrain<dim> formulation({{law, constants}});
     this->history.displacement.assign(this->history.displacement.size(), 0.0);
     this->history.stress.assign(this->history.stress.size(), dealii::SymmetricTensor<2, 3>());
     const std::vector<double> deformed = this->any(0.02, 0.4);
@@ -149,7 +149,7 @@ TYPED_TEST(DistortedCell, HalfTheHeightGivesUniformStressAndHalfTheVolume) {
   const double lame = 0.3 / (1.3 * 0.4), shear = 0.5 / 1.3, e = std::log(0.5);
   const std::array axial{(lame + 2 * shear) * e, (lame + 2 * shear) * e / 0.5, (lame * e + shear * (0.25 - 1)) / 0.5};
   for (std::size_t law = 0; law < 3; ++law) {
-    const FiniteStrain<dim> formulation(all_laws[law], constants);
+    const FiniteStrain<dim> formulation({{all_laws[law], constants}});
     this->history.displacement.assign(this->history.displacement.size(), 0.0);
     this->history.stress.assign(this->history.stress.size(), dealii::SymmetricTensor<2, 3>());
     this->accept(formulation, this->linear(gradient));
@@ -165,11 +165,11 @@ TYPED_TEST(DistortedCell, HalfTheHeightGivesUniformStressAndHalfTheVolume) {
 
 TYPED_TEST(DistortedCell, TinyMotionsMeetTheSmallStrainForceAndTangent) {
   constexpr int dim = TypeParam::dim;
-  const SmallStrain<dim> small(constants);
+  const SmallStrain<dim> small({constants});
   const std::vector<double> tiny = this->any(1e-9, 0.4);
   const dealii::Vector<double> expected = this->force(small, tiny);
   for (const Law law : all_laws) {
-    const FiniteStrain<dim> finite(law, constants);
+    const FiniteStrain<dim> finite({{law, constants}});
     dealii::Vector<double> force = this->force(finite, tiny);
     force -= expected;
     EXPECT_LT(force.l2_norm(), 1e-7 * expected.l2_norm());
@@ -185,8 +185,9 @@ TYPED_TEST(DistortedCell, ACellTurnedInsideOutHasNoStress) {
   dealii::Tensor<2, dim> gradient;
   gradient[dim - 1][dim - 1] = -1.5;
   for (const Law law : all_laws)
-    EXPECT_FALSE(
-        FiniteStrain<dim>(law, constants).stress({this->values, this->history, this->linear(gradient)}).has_value());
+    EXPECT_FALSE(FiniteStrain<dim>({{law, constants}})
+                     .stress({this->values, this->history, this->linear(gradient)})
+                     .has_value());
 }
 
 } // namespace

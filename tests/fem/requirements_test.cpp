@@ -226,5 +226,35 @@ INSTANTIATE_TEST_SUITE_P(All, EveryConvention,
                          ::testing::Values(exchange::Convention::level_up, exchange::Convention::floating,
                                            exchange::Convention::drop));
 
+TEST(Requirements, SoilsAreForSmallStrain) {
+  exchange::Case study = column({});
+  study.materials.at("fill").law = exchange::Law::tresca;
+  study.materials.at("fill").cohesion = 10e3;
+  EXPECT_EQ(complaint_about(study), "");
+  study.fem.kinematics = exchange::Kinematics::finite;
+  study.construction.convention = exchange::Convention::level_up;
+  EXPECT_THAT(complaint_about(study), AllOf(HasSubstr("no law \"tresca\""), HasSubstr("\"small\"")));
+}
+
+TEST(Requirements, BBarIsForSmallStrain) {
+  exchange::Case study = column({});
+  study.fem.integration = exchange::FemIntegration::b_bar;
+  EXPECT_EQ(complaint_about(study), "");
+  study.fem.kinematics = exchange::Kinematics::finite;
+  study.construction.convention = exchange::Convention::level_up;
+  EXPECT_THAT(complaint_about(study), AllOf(HasSubstr("integrated in full"), HasSubstr("b-bar")));
+}
+
+TEST(Requirements, ABodyOfCamClayHasAttractionToStartFrom) {
+  exchange::Case study = column({});
+  exchange::Material& clay = study.materials.at("fill");
+  clay.law = exchange::Law::cam_clay;
+  clay.critical_state_slope = 1.2, clay.compression_index = 0.2, clay.swelling_index = 0.04;
+  clay.void_ratio = 1.0, clay.preconsolidation_pressure = 50e3, clay.attraction = 0.0;
+  EXPECT_THAT(complaint_about(study), HasSubstr("attraction = 0"));
+  clay.attraction = 5e3;
+  EXPECT_EQ(complaint_about(study), "");
+}
+
 } // namespace
 } // namespace settle::fem::testing

@@ -32,6 +32,8 @@ enum class MpmLinearSolver { direct, iterative };
 enum class Relaxation { local, viscous };
 enum class FemElement { Q1, Q2 };
 enum class Kinematics { small, finite };
+/// Of volume change in a cell: as it is, or its projection that does not lock.
+enum class FemIntegration { full, b_bar };
 
 /// How the finite element method solves the linear equations of an increment. automatic: `direct` in the plane, in
 /// space `multigrid` but for a few cells.
@@ -119,6 +121,10 @@ struct EnumNames<FemElement> {
 template <>
 struct EnumNames<Kinematics> {
   static constexpr std::array<std::string_view, 2> names{"small", "finite"};
+};
+template <>
+struct EnumNames<FemIntegration> {
+  static constexpr std::array<std::string_view, 2> names{"full", "b-bar"};
 };
 template <>
 struct EnumNames<FemLinearSolver> {
@@ -313,7 +319,8 @@ struct Fem {
   FemElement element = FemElement::Q1;
   double element_size = 0.125; ///< [m]
   Kinematics kinematics = Kinematics::small;
-  std::optional<int> increments{}; ///< per stage; set by `read_case`: 1 (small), 4 (finite) where left out
+  std::optional<FemIntegration> integration{}; ///< none: b-bar where a material of the case yields, else full
+  std::optional<int> increments{};             ///< per stage; set by `read_case`: 1 (small), 4 (finite) where left out
   FemLinearSolver linear_solver = FemLinearSolver::automatic;
   int threads = 1; ///< the result is the same, to the bit, for the same number
 };

@@ -30,8 +30,10 @@ public:
 
   /// Places all layers, one a stage, and hands each stage over. Call once. With `pictures` a VTU file for each stage
   /// and a PVD file of them all are written into that folder. Throws NotConverged with every residual where equilibrium
-  /// is not reached, FileError for pictures.
-  void build(const StageSink& on_stage, const std::optional<std::filesystem::path>& pictures = {});
+  /// is not reached, unless the case may fail: then the stage that found none, with its state in equilibrium last
+  /// handed over where it has one. FileError for pictures.
+  std::optional<exchange::Failure> build(const StageSink& on_stage,
+                                         const std::optional<std::filesystem::path>& pictures = {});
 
   struct Implementation; ///< one for each dimension, in solver.cpp
 
