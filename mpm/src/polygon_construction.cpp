@@ -89,7 +89,8 @@ void place_polygons(const exchange::Case& study, int layer, Body<Space>& body) {
       body.points.add({.layer = layer,
                        .position = piece.centroid,
                        .volume = piece.area,
-                       .density = body.density,
+                       .density = body.density_of(layer),
+                       .preconsolidation_pressure = body.preconsolidation_of(layer),
                        .half_lengths = Vector<2>::Constant(0.5 * std::sqrt(piece.area))});
   }
 }

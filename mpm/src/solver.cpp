@@ -6,6 +6,7 @@
 
 #include "construction.hpp"
 #include "polygon_construction.hpp"
+#include "settle/mpm/point_path.hpp"
 #include "settle/mpm/requirements.hpp"
 #include "settle/mpm/spaces.hpp"
 #include "stage_record.hpp"
@@ -131,15 +132,13 @@ exchange::Stage build_stage(const exchange::Case& study, const StageLoad& stage_
 } // namespace
 
 exchange::Used used(const exchange::Case& study) {
-  return with_space(study, [&]<class Space>(std::type_identity<Space>) {
-    const Body<Space> body = empty_body<Space>(study);
-    exchange::Used values = exchange::used_values(study, exchange::Kinematics::finite);
-    values.youngs_modulus = body.lame.youngs_modulus();
-    values.poissons_ratio = body.lame.poissons_ratio();
-    values.density = body.density;
-    values.law = body.law;
-    return values;
-  });
+  const Material fill = material_of(study.fill());
+  exchange::Used values = exchange::used_values(study, exchange::Kinematics::finite);
+  values.youngs_modulus = fill.lame.youngs_modulus();
+  values.poissons_ratio = fill.lame.poissons_ratio();
+  values.density = fill.density;
+  values.law = fill.law;
+  return values;
 }
 
 int threads(const exchange::Case& study) {
@@ -148,6 +147,7 @@ int threads(const exchange::Case& study) {
 
 void solve(const exchange::Case& study, const exchange::StageSink& sink) {
   require_solvable(study);
+  if (study.geometry.shape == exchange::Shape::point) return drive_points(study, sink);
   with_space(study, [&]<class Space>(std::type_identity<Space>) {
     Body<Space> body = empty_body<Space>(study);
     const std::unique_ptr<const Drive> drive = drive_of(study, body.space);
