@@ -31,7 +31,7 @@ std::string figures_of_body(const exchange::Case& study) {
 
 /// As TOML comments, so that what is shown is a case file.
 std::string derived_figures(const exchange::Case& study) {
-  if (study.geometry.shape == exchange::Shape::polygons) return figures_of_body(study);
+  if (study.geometry.drawn()) return figures_of_body(study);
   const double height = study.geometry.height;
   std::string text = fmt::format("# constrained modulus M = {:.6g} Pa\n# unit weight gamma_0 = {:.6g} N/m3\n"
                                  "# layer thickness {:.6g} m\n# Eq. (1), largest settlement {:.6f} m\n",

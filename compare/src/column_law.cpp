@@ -42,6 +42,12 @@ double bracketed_root(const Function& function, double low, double high) {
 } // namespace
 
 ColumnLaw::ColumnLaw(const exchange::Material& material) : law_(material.law) {
+  if (law_ > Law::neo_hookean)
+    throw exchange::InputError({.where = "exact column",
+                                .what = "no closed form is known of a column of this law",
+                                .given = fmt::format("law \"{}\"", exchange::name_of(law_)),
+                                .allowed = "\"rate\", \"hencky\" or \"neo-hookean\"",
+                                .remedy = "compare solvers with each other"});
   const double nu = material.poissons_ratio;
   lame_mu_ = material.youngs_modulus / (2.0 * (1.0 + nu));
   lame_lambda_ = material.youngs_modulus * nu / ((1.0 + nu) * (1.0 - 2.0 * nu));
@@ -56,6 +62,8 @@ double ColumnLaw::stretch(double overburden) const {
     return std::exp(-boost::math::lambert_w0(overburden / modulus_));
   case Law::neo_hookean:
     return std::exp(solve_strain(overburden));
+  default:
+    break; // the constructor refuses other laws
   }
   return std::numeric_limits<double>::quiet_NaN();
 }
@@ -77,6 +85,8 @@ double ColumnLaw::integral(double overburden) const {
     using Rule = boost::math::quadrature::gauss_kronrod<double, 31>;
     return Rule::integrate(integrand, solve_strain(overburden), 0.0, 10, 1e-14);
   }
+  default:
+    break; // the constructor refuses other laws
   }
   return std::numeric_limits<double>::quiet_NaN();
 }
@@ -93,6 +103,8 @@ double ColumnLaw::inverse_integral(double integral) const {
   }
   case Law::neo_hookean:
     return solve_inverse(integral);
+  default:
+    break; // the constructor refuses other laws
   }
   return std::numeric_limits<double>::quiet_NaN();
 }
@@ -106,6 +118,8 @@ double ColumnLaw::lateral_stress(double overburden) const {
     const double strain = solve_strain(overburden);
     return lame_lambda_ * strain / std::exp(strain);
   }
+  default:
+    break; // the constructor refuses other laws
   }
   return std::numeric_limits<double>::quiet_NaN();
 }
@@ -122,6 +136,8 @@ double ColumnLaw::stress_at(double strain) const {
     return modulus_ * strain / std::exp(strain);
   case Law::neo_hookean:
     return (lame_lambda_ * strain + lame_mu_ * std::expm1(2.0 * strain)) / std::exp(strain);
+  default:
+    break; // the constructor refuses other laws
   }
   return std::numeric_limits<double>::quiet_NaN();
 }
@@ -135,6 +151,8 @@ double ColumnLaw::vertical_tangent(double stretch) const {
   case Law::neo_hookean:
     return lame_lambda_ * (1.0 - std::log(stretch)) / (stretch * stretch) +
            lame_mu_ * (1.0 + 1.0 / (stretch * stretch));
+  default:
+    break; // the constructor refuses other laws
   }
   return std::numeric_limits<double>::quiet_NaN();
 }

@@ -23,7 +23,7 @@ std::string measure_level(const RunOutcome& run, ConvergenceStudy& study) {
                                            .reference = exact ? "exact" : wanted.solver,
                                            .quantity = wanted.quantity,
                                            .over = wanted.over,
-                                           .stage = run.study.construction.layers});
+                                           .stage = run.study.n_stages()});
   const RelativeNorm error = relative_norm(leg, wanted.norm);
   if (!error.problem.empty()) return fmt::format("{}: {}", run.name, error.problem);
   study.values.push_back(norm_of(leg.value, leg.weight, wanted.norm));

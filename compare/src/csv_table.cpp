@@ -126,7 +126,7 @@ std::vector<int> layers_of(const std::vector<TablePoint>& points, const exchange
   for (const TablePoint& each : points) {
     const double layer =
         by_height ? std::ceil(each.placed_height / study.layer_thickness()) : first_stage.at(each.point);
-    if (!(layer >= 1.0) || layer > each.stage || each.stage > study.construction.layers) {
+    if (!(layer >= 1.0) || layer > each.stage || each.stage > study.n_stages()) {
       throw FileError(
           {.where = file.string(),
            .what = "the table does not belong to this case",

@@ -34,7 +34,7 @@ class SolverSide {
 public:
   SolverSide(const RunOutcome& run, const std::string& solver, Quantity quantity)
       : result_(*run.result_of(solver)), exact_(exact_solution(run.study, result_.used.kinematics)),
-        number_(run.study.construction.layers), stage_(stage_of(result_, number_)), quantity_(quantity),
+        number_(run.study.n_stages()), stage_(stage_of(result_, number_)), quantity_(quantity),
         dimension_(run.study.geometry.dimension), area_(plan_area(run.study)), gravity_(run.study.gravity),
         probes_(probe_samples(stage_, dimension_, quantity)) {}
 
@@ -104,7 +104,7 @@ struct Legs {
                                .reference = reference,
                                .quantity = quantity,
                                .over = Over::probes,
-                               .stage = run.study.construction.layers});
+                               .stage = run.study.n_stages()});
     };
     total = leg("mpm", "fem");
     mpm = leg("mpm", "exact");

@@ -109,8 +109,8 @@ public:
 
   [[nodiscard]] double scalar(Quantity quantity, int stage) const override {
     double mass = 0.0;
-    for (int layer = 1; layer <= stage; ++layer)
-      mass += study_.fill().density * exchange::layer_area(study_.geometry, layer);
+    for (const int layer : study_.layers_present(stage))
+      mass += study_.material_of(layer).density * exchange::layer_area(study_.geometry, layer);
     if (quantity == Quantity::mass) return mass;
     return quantity == Quantity::base_reaction ? study_.gravity * mass : std::nan("");
   }
@@ -126,7 +126,7 @@ private:
 } // namespace
 
 std::unique_ptr<ExactSolution> exact_solution(const Case& study, exchange::Kinematics kinematics) {
-  if (study.geometry.shape == exchange::Shape::polygons) return std::make_unique<StatedSolution>(study);
+  if (study.geometry.drawn()) return std::make_unique<StatedSolution>(study);
   return std::make_unique<ColumnSolution>(study, kinematics);
 }
 

@@ -56,7 +56,7 @@ void FieldSamples::add(const FieldSamples& other, std::size_t i) {
 }
 
 std::vector<Quantity> usual_fields(const exchange::Case& study) {
-  if (study.geometry.shape == exchange::Shape::polygons) return {Quantity::displacement, Quantity::stress};
+  if (study.geometry.drawn()) return {Quantity::displacement, Quantity::stress};
   return {Quantity::settlement, Quantity::vertical_stress};
 }
 

@@ -121,11 +121,11 @@ std::vector<Stage> import_stages(const std::filesystem::path& table, const excha
   for (const Row& row : rows)
     places.push_back({.stage = row[stage], .point = row[point], .placed_height = row[placed_y]});
   const std::vector<int> layers = layers_of(places, study, table);
-  std::vector<Stage> stages(static_cast<std::size_t>(study.construction.layers));
+  std::vector<Stage> stages(static_cast<std::size_t>(study.n_stages()));
   Points known(table);
   for (std::size_t k = 0; k < stages.size(); ++k) {
     Stage& done = stages[k];
-    done.layer = static_cast<int>(k) + 1;
+    done.layer = study.layer_of_stage(static_cast<int>(k) + 1);
     done.mass = k > 0 ? stages[k - 1].mass : 0.0;
     for (std::size_t i = 0; i < rows.size(); ++i) {
       if (rows[i][stage] != static_cast<double>(k + 1)) continue;

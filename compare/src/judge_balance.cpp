@@ -103,24 +103,24 @@ Verdict judge_audit(const RunOutcome& run, const std::string& solver, const Resu
 }
 
 Verdict judge_stages(const RunOutcome& run, const std::string& solver, const Result& result) {
-  const auto layers = static_cast<std::size_t>(run.study.construction.layers);
+  const auto stages = static_cast<std::size_t>(run.study.n_stages());
   Verdict verdict{.status = Status::passed,
                   .run = run.name,
-                  .what = fmt::format("{}: every layer has its stage", solver),
+                  .what = fmt::format("{}: every stage is there", solver),
                   .kind = "audit",
                   .value = static_cast<double>(result.stages.size()),
-                  .at_least = static_cast<double>(layers),
-                  .limit = static_cast<double>(layers),
+                  .at_least = static_cast<double>(stages),
+                  .limit = static_cast<double>(stages),
                   .quantity = "stages",
                   .leg = solver};
   for (std::size_t i = 0; i < result.stages.size(); ++i) {
-    if (result.stages[i].layer == static_cast<int>(i) + 1) continue;
+    if (i < stages && result.stages[i].layer == run.study.layer_of_stage(static_cast<int>(i) + 1)) continue;
     verdict.status = Status::failed;
-    verdict.message = fmt::format("stage {} placed layer {}", i + 1, result.stages[i].layer);
+    verdict.message = fmt::format("stage {} is of layer {}", i + 1, result.stages[i].layer);
   }
-  if (result.stages.size() != layers) {
-    verdict.status = result.stages.size() < layers ? Status::missing : Status::failed;
-    verdict.message = fmt::format("{} stages for {} layers", result.stages.size(), layers);
+  if (result.stages.size() != stages) {
+    verdict.status = result.stages.size() < stages ? Status::missing : Status::failed;
+    verdict.message = fmt::format("{} stages instead of {}", result.stages.size(), stages);
   }
   return verdict;
 }

@@ -22,7 +22,7 @@ LegRequest request_of(const RunOutcome& run, const Check& check) {
                      .reference = reference,
                      .quantity = check.quantity,
                      .over = check.over,
-                     .stage = run.study.construction.layers,
+                     .stage = run.study.n_stages(),
                      .layers = check.layers};
   request.over = place_of(run, request);
   return request;
@@ -35,7 +35,7 @@ std::string description(const RunOutcome& run, const Check& check, const LegRequ
     text += fmt::format(", layers {} to {}", check.layers.front(), check.layers.back());
   }
   if (check.stages == CheckStages::all) {
-    return text + (run.study.construction.layers > 1 ? ", worst of all stages" : ", last stage");
+    return text + (run.study.n_stages() > 1 ? ", worst of all stages" : ", last stage");
   }
   return text + ", last stage";
 }
@@ -68,7 +68,7 @@ bool measure(const RunOutcome& run, const Check& check, const LegRequest& reques
 }
 
 void measure_all(const RunOutcome& run, const Check& check, LegRequest request, Verdict& verdict) {
-  const int last = run.study.construction.layers;
+  const int last = run.study.n_stages();
   int first = check.stages == CheckStages::all ? 1 : last;
   if (!check.layers.empty() && is_field(check.quantity)) first = std::max(first, check.layers.front());
   for (request.stage = first; request.stage <= last; ++request.stage) {

@@ -1,6 +1,7 @@
 #include "settle/compare/legs.hpp"
 
 #include <cmath>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -45,10 +46,11 @@ LegSamples against_exact(const RunOutcome& run, const LegRequest& request, Over 
   const auto exact = exact_solution(run.study, kinematics_of(run, request.value));
   if (std::string problem = exact->lacks(request.quantity); !problem.empty()) return nothing(std::move(problem));
   const FieldSamples samples = samples_of(run, request.value, request, over);
+  const std::set<int> present = run.study.layers_present(request.stage);
   LegSamples leg;
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const int layer = samples.layer[i];
-    if (layer < 1 || layer > request.stage) {
+    if (!present.contains(layer)) {
       return nothing(fmt::format("{} has a point in layer {} at stage {}", request.value, layer, request.stage));
     }
     if (!wanted(request, layer)) continue;
@@ -136,7 +138,7 @@ LegSamples matched_probes(const RunOutcome& run, const LegRequest& request) {
 
 /// Why points of the two sides cannot be told to be the same; empty where their heights tell it.
 std::string obstacle_to_matching(const RunOutcome& run, const LegRequest& request) {
-  if (run.study.geometry.shape == exchange::Shape::polygons) {
+  if (run.study.geometry.drawn()) {
     return "points of two sides are matched by their height, which means something in a column only: compare them "
            "over probes";
   }

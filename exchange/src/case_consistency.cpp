@@ -6,10 +6,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "material_consistency.hpp"
 #include "motion_consistency.hpp"
+#include "path_consistency.hpp"
 #include "polygon_consistency.hpp"
 #include "refinement_consistency.hpp"
 #include "settle/exchange/spelling.hpp"
+#include "stage_consistency.hpp"
 
 namespace settle::exchange {
 namespace {
@@ -103,10 +106,14 @@ void check_relaxation(const Case& study, Reading& reading) {
 
 void check_consistency(const Case& study, Reading& reading) {
   check_material(study, reading);
-  if (study.geometry.shape == Shape::polygons)
+  check_materials(study, reading);
+  if (study.geometry.shape == Shape::point)
+    check_paths(study, reading);
+  else if (study.geometry.drawn())
     check_polygons(study, reading);
   else
     check_probes(study, reading);
+  if (study.geometry.shape != Shape::point) check_stages(study, reading);
   check_relaxation(study, reading);
   if (study.motion) check_motion(study, reading);
   check_references(study, reading);

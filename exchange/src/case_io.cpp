@@ -2,10 +2,13 @@
 
 #include "case_consistency.hpp"
 #include "case_keys.hpp"
+#include "embankment.hpp"
 #include "motion_consistency.hpp"
+#include "path_consistency.hpp"
 #include "polygon_consistency.hpp"
 #include "settle/exchange/formulas.hpp"
 #include "settle/exchange/plane_geometry.hpp"
+#include "stage_consistency.hpp"
 
 namespace settle::exchange {
 namespace {
@@ -30,6 +33,13 @@ int usual_points(MpmElement element) {
   return 0;
 }
 
+/// What is zero where a law knows it.
+void fill_material(Material& material) {
+  const bool has_dilation = material.law == Law::mohr_coulomb || material.law == Law::drucker_prager;
+  if (has_dilation && !material.dilation_angle) material.dilation_angle = 0.0;
+  if (material.law == Law::cam_clay && !material.attraction) material.attraction = 0.0;
+}
+
 /// Defaults that depend on other keys.
 void fill_dependent_defaults(Case& study) {
   Geometry& geometry = study.geometry;
@@ -39,7 +49,15 @@ void fill_dependent_defaults(Case& study) {
   ExplicitDynamic& time_steps = study.mpm.explicit_dynamic;
   if (!time_steps.ramp_time && time_steps.relaxation == Relaxation::local) time_steps.ramp_time = 10.0;
   if (!study.fem.increments) study.fem.increments = study.fem.kinematics == Kinematics::small ? 1 : 4;
-  if (geometry.shape == Shape::polygons) return fill_extent(geometry);
+  for (auto& [name, material] : study.materials)
+    fill_material(material);
+  fill_stages(study);
+  fill_paths(study);
+  if (geometry.shape == Shape::point) {
+    geometry.width = geometry.height = 1.0; // of the cube that a point stands for
+    return;
+  }
+  if (geometry.drawn()) return fill_extent(geometry);
   const bool solid = geometry.dimension == 3;
   if (solid && !geometry.depth) geometry.depth = geometry.width;
   for (auto& [name, line] : study.probes) {
@@ -55,6 +73,9 @@ Case interpreted(const document::Table& table, const std::string& name) {
   case_keys().read(table, {.path = {}, .where = name}, study, reading);
   reading.throw_if_any();
   study.origins = reading.origins();
+  check_embankment(study, reading);
+  reading.throw_if_any();
+  if (study.geometry.shape == Shape::embankment) draw_embankment(study);
   check_shape(study, reading);
   reading.throw_if_any();
   fill_dependent_defaults(study);
@@ -76,7 +97,11 @@ Case parse_case(const std::string& text, const std::string& name, const std::vec
 }
 
 std::string to_toml(const Case& study) {
-  return document::to_toml(case_keys().write(study));
+  if (study.geometry.shape != Shape::embankment) return document::to_toml(case_keys().write(study));
+  Case given = study; // without what is drawn from it
+  given.geometry.polygons.clear();
+  given.supports.clear();
+  return document::to_toml(case_keys().write(given));
 }
 
 std::string case_schema() {

@@ -1,5 +1,8 @@
 #include "case_keys.hpp"
 
+#include "material_keys.hpp"
+#include "stage_keys.hpp"
+
 namespace settle::exchange {
 namespace {
 
@@ -14,6 +17,34 @@ KeyTable<Polygon> polygon_keys() {
                    .required = true,
                    .doc = "`[x, y]` of the corners of a convex polygon, anticlockwise"},
                   {.least = plane, .most = plane});
+  keys.text("material", &Polygon::material,
+            {.doc = "the NAME of a `[material.NAME]`, the same for all of a layer; left out: `construction.material`"});
+  return keys;
+}
+
+KeyTable<Embankment> embankment_keys() {
+  KeyTable<Embankment> keys("A section with a level crest, with the shape \"embankment\" only. x = 0 in the middle of "
+                            "the crest, y = 0 at the "
+                            "base of the fill; layers are level and of equal thickness.");
+  keys.real("height", &Embankment::height,
+            {.unit = "m", .range = above(0), .required = true, .doc = "of the fill, from its base to the crest"});
+  keys.real("crest", &Embankment::crest,
+            {.unit = "m", .range = above(0), .required = true, .doc = "width of the crest"});
+  keys.reals("slopes", &Embankment::slopes,
+             {.range = at_least(0),
+              .count = {.least = 2, .most = 2},
+              .required = true,
+              .doc = "left and right, horizontal per vertical; 0: a vertical side"});
+  keys.real("foundation_depth", &Embankment::foundation_depth,
+            {.unit = "m",
+             .range = at_least(0),
+             .doc = "0: a rough rigid base; above: layer 1 is existing ground of this depth on such a base"});
+  keys.real("foundation_left", &Embankment::foundation_left,
+            {.unit = "m", .range = at_least(0), .doc = "extent of the ground beyond the left toe"});
+  keys.real("foundation_right", &Embankment::foundation_right,
+            {.unit = "m", .range = at_least(0), .doc = "extent of the ground beyond the right toe"});
+  keys.text("foundation_material", &Embankment::foundation_material,
+            {.doc = "the NAME of a `[material.NAME]`; left out: `construction.material`"});
   return keys;
 }
 
@@ -23,12 +54,12 @@ KeyTable<Geometry> geometry_keys() {
   keys.real("height", &Geometry::height,
             {.unit = "m",
              .range = above(0),
-             .left_out = "required for a column; the extent of polygons",
+             .left_out = "required for a column; the extent of what is drawn",
              .doc = "design height of all layers together"});
   keys.real("width", &Geometry::width,
             {.unit = "m",
              .range = above(0),
-             .left_out = "required for a column; the extent of polygons",
+             .left_out = "required for a column; the extent of what is drawn",
              .doc = "extent along x"});
   keys.real("depth", &Geometry::depth,
             {.unit = "m", .range = above(0), .left_out = "the width", .doc = "extent along y, in 3-D only"});
@@ -36,6 +67,7 @@ KeyTable<Geometry> geometry_keys() {
       "dimension", &Geometry::dimension,
       {.range = from_to(2, 3), .required = true, .doc = "2: plane strain, gravity along -y; 3: gravity along -z"});
   keys.table_array("polygon", &Geometry::polygons, polygon_keys());
+  keys.table("embankment", &Geometry::embankment, embankment_keys());
   return keys;
 }
 
@@ -83,32 +115,12 @@ KeyTable<Motion> motion_keys() {
   return keys;
 }
 
-KeyTable<Material> material_keys() {
-  KeyTable<Material> keys("An elastic material; NAME is yours. At least the one that the construction uses.");
-  keys.choice("law", &Material::law,
-              {.required = true, .doc = "stress-strain law; a solver of small strains uses its linearisation"});
-  keys.real("youngs_modulus", &Material::youngs_modulus,
-            {.unit = "Pa", .range = above(0), .required = true, .doc = "Young's modulus"});
-  keys.real("poissons_ratio", &Material::poissons_ratio,
-            {.range = between(-1, 0.5),
-             .required = true,
-             .hint =
-                 "at 0.5 nothing changes its volume: the constrained modulus becomes infinite and the column cannot "
-                 "settle; 0.49 is nearly incompressible",
-             .doc = "Poisson's ratio"});
-  keys.real("density", &Material::density,
-            {.unit = "kg/m3", .range = above(0), .required = true, .doc = "density as placed"});
-  keys.real(
-      "porosity", &Material::porosity,
-      {.range = from_to_below(0, 1), .left_out = "not stated", .doc = "recorded; one-phase solvers do not use it"});
-  return keys;
-}
-
 KeyTable<Construction> construction_keys() {
   KeyTable<Construction> keys("How the domain is built up. Required.");
-  keys.integer(
-      "layers", &Construction::layers,
-      {.range = at_least(1), .required = true, .doc = "number of layers of equal design thickness, one a stage"});
+  keys.integer("layers", &Construction::layers,
+               {.range = at_least(1),
+                .required = true,
+                .doc = "number of layers; those of a column are of equal design thickness"});
   keys.choice("convention", &Construction::convention,
               {.required = true, .doc = "where a new layer is placed and what makes up for settlement"});
   keys.text("material", &Construction::material, {.required = true, .doc = "the NAME of a `[material.NAME]`"});
@@ -315,7 +327,7 @@ KeyTable<Case> case_keys() {
             {.unit = "m/s2",
              .range = at_least(0),
              .required = true,
-             .doc = "acceleration of gravity, a positive number; 0 with polygons only"});
+             .doc = "acceleration of gravity, a positive number; 0 without a column only"});
   keys.table("geometry", &Case::geometry, geometry_keys(), {.required = true});
   keys.named_tables("material", &Case::materials, material_keys(), {.required = true});
   keys.table("construction", &Case::construction, construction_keys(), {.required = true});
@@ -327,6 +339,9 @@ KeyTable<Case> case_keys() {
   keys.table("converge", &Case::converge, refinement_keys());
   keys.table_array("support", &Case::supports, support_keys());
   keys.table("motion", &Case::motion, motion_keys());
+  keys.table_array("stage", &Case::stages, stage_keys());
+  keys.table_array("path", &Case::paths, path_keys());
+  keys.table("initial", &Case::initial, initial_keys());
   return keys;
 }
 

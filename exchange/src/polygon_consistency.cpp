@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "embankment.hpp"
 #include "settle/exchange/plane_geometry.hpp"
 #include "settle/exchange/probe_points.hpp"
 
@@ -36,6 +37,7 @@ void check_column(const Case& study, Reading& reading) {
   refuse_key(study, "geometry.polygon", "polygons", reading);
   refuse_key(study, "support", "polygons", reading);
   refuse_key(study, "motion", "polygons", reading);
+  refuse_key(study, "path", "point", reading);
   for (const auto& [name, line] : study.probes)
     for (const char* key : {"from", "to", "points"})
       refuse_key(study, fmt::format("probes.{}.{}", name, key), "polygons", reading);
@@ -102,6 +104,29 @@ void check_extent(const Case& study, const std::string& key, double given, doubl
                     .remedy = "leave it out"});
 }
 
+/// All polygons of a layer are of one material, and it is there.
+void check_materials_of_polygons(const Case& study, Reading& reading) {
+  const std::vector<Polygon>& polygons = study.geometry.polygons;
+  for (std::size_t number = 0; number < polygons.size(); ++number) {
+    const std::string key = fmt::format("geometry.polygon.{}.material", number);
+    const std::string& material = polygons[number].material;
+    if (!material.empty() && !study.materials.contains(material))
+      reading.complain({.where = study.where(key),
+                        .what = key + " names a material that is not in the case",
+                        .given = material,
+                        .allowed = "the NAME of a [material.NAME]",
+                        .remedy = fmt::format("add a table [material.{}]", material)});
+    const auto first = std::find_if(polygons.begin(), polygons.end(),
+                                    [&](const Polygon& other) { return other.layer == polygons[number].layer; });
+    if (first->material == material) continue;
+    reading.complain({.where = study.where(key),
+                      .what = fmt::format("layer {} is of two materials", polygons[number].layer),
+                      .given = fmt::format("\"{}\" and \"{}\"", first->material, material),
+                      .allowed = "one material for all polygons of a layer",
+                      .remedy = "make two layers of it"});
+  }
+}
+
 void check_layers_of_polygons(const Case& study, Reading& reading) {
   for (int layer = 1; layer <= study.construction.layers; ++layer) {
     if (layer_area(study.geometry, layer) > 0) continue;
@@ -162,8 +187,33 @@ void check_support(const Case& study, std::size_t number, Reading& reading) {
 
 } // namespace
 
+void check_embankment(const Case& study, Reading& reading) {
+  const Geometry& geometry = study.geometry;
+  if (geometry.shape != Shape::embankment) return refuse_key(study, "geometry.embankment", "embankment", reading);
+  refuse_key(study, "geometry.polygon", "polygons", reading);
+  refuse_key(study, "support", "polygons", reading);
+  require(geometry.embankment.has_value(),
+          {.where = study.where("geometry.shape"),
+           .what = "the embankment has no measures",
+           .given = "geometry.shape = \"embankment\"",
+           .allowed = "a table [geometry.embankment]",
+           .remedy = "give it height, crest and slopes"},
+          reading);
+  if (!geometry.embankment) return;
+  const int ground = ground_layers(geometry);
+  require(study.construction.layers > ground,
+          {.where = study.where("construction.layers"),
+           .what = "no layer is left for the fill",
+           .given = fmt::format("{}", study.construction.layers),
+           .allowed = fmt::format("at least {}", ground + 1),
+           .remedy = "the foundation is layer 1: count it too"},
+          reading);
+}
+
 void check_shape(const Case& study, Reading& reading) {
+  if (study.geometry.shape == Shape::point) return;
   if (study.geometry.shape == Shape::column) return check_column(study, reading);
+  refuse_key(study, "path", "point", reading);
   for (std::size_t number = 0; number < study.geometry.polygons.size(); ++number)
     check_polygon(study, number, reading);
   require(!study.geometry.polygons.empty(),
@@ -176,6 +226,7 @@ void check_shape(const Case& study, Reading& reading) {
   if (study.geometry.polygons.empty()) return;
   check_overlaps(study, reading);
   check_layers_of_polygons(study, reading);
+  check_materials_of_polygons(study, reading);
   const PlaneBox box = bounding_box(study.geometry);
   check_extent(study, "geometry.width", study.geometry.width, box.highest[0] - box.lowest[0], reading);
   check_extent(study, "geometry.height", study.geometry.height, box.highest[1] - box.lowest[1], reading);
@@ -189,12 +240,12 @@ void check_polygons(const Case& study, Reading& reading) {
            .allowed = "2",
            .remedy = {}},
           reading);
-  require(study.construction.convention == Convention::drop,
+  require(study.construction.convention != Convention::refill,
           {.where = study.where("construction.convention"),
-           .what = "layers of polygons are placed where they are drawn",
-           .given = fmt::format("\"{}\"", name_of(study.construction.convention)),
-           .allowed = "\"drop\"",
-           .remedy = {}},
+           .what = "what is drawn is not refilled",
+           .given = "\"refill\"",
+           .allowed = "\"drop\", \"float\" or \"level-up\"",
+           .remedy = "take \"level-up\", which makes up for the settlement before each stage"},
           reading);
   require(!study.supports.empty(),
           {.where = study.where("geometry.shape"),

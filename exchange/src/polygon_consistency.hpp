@@ -7,6 +7,9 @@
 
 namespace settle::exchange {
 
+/// Complains about an embankment without measures or without a layer of fill; to be called before it is drawn.
+void check_embankment(const Case& study, Reading& reading);
+
 /// Complains about lengths a column lacks, polygons that are none or overlap, layers without polygons; to be called
 /// before the extent of polygons is taken.
 void check_shape(const Case& study, Reading& reading);

@@ -42,7 +42,7 @@ std::vector<ProbePoint> points_across_polygons(const Geometry& geometry, const P
 } // namespace
 
 std::vector<ProbePoint> probe_points(const Case& study, const Probes& line) {
-  if (study.geometry.shape == Shape::polygons) return points_across_polygons(study.geometry, line);
+  if (study.geometry.drawn()) return points_across_polygons(study.geometry, line);
   return points_in_column(study, line);
 }
 

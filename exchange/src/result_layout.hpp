@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "hdf5.hpp"
@@ -31,6 +32,8 @@ void for_each_array(Points& points, std::size_t dimension, const Visit& visit) r
   visit("stress", 6, points.stress);
   visit("density", 0, points.density);
   visit("volume", 0, points.volume);
+  visit("plastic_strain", 0, points.plastic_strain);
+  visit("preconsolidation_pressure", 0, points.preconsolidation_pressure);
 }
 
 template <class Samples, class Visit>
@@ -61,6 +64,11 @@ void for_each_attribute(AnyStage& stage, const Visit& visit) {
   visit("surface_height", stage.surface_height);
   visit("wall_time", stage.wall_time);
 }
+
+inline constexpr const char* support_reactions = "support_reactions";
+
+/// May a dataset be left out?
+bool is_optional(std::string_view name);
 
 /// The shape of a dataset of `rows` points.
 hdf5::Sizes sizes(std::size_t rows, std::size_t columns);

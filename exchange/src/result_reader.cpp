@@ -93,6 +93,7 @@ Points read_points(const hdf5::Group& group, std::size_t dimension) {
   std::optional<std::size_t> rows;
   layout::for_each_array(points, dimension, [&](const char* name, std::size_t columns, auto& values) {
     using Number = typename std::decay_t<decltype(values)>::value_type;
+    if (layout::is_optional(name) && !group.has(name)) return;
     hdf5::Array<Number> array = group.read_array<Number>(name);
     if (!rows) rows = array.sizes.empty() ? 0 : array.sizes.front();
     if (array.sizes != layout::sizes(*rows, columns))
@@ -117,10 +118,21 @@ void read_attributes(const hdf5::Group& group, Stage& stage) {
   });
 }
 
+std::vector<double> read_support_reactions(const hdf5::Group& group, std::size_t dimension) {
+  hdf5::Array<double> array = group.read_array<double>(layout::support_reactions);
+  if (array.sizes.size() != 2 || array.sizes[1] != dimension)
+    refuse(group, {group.name_of(layout::support_reactions) + " has the wrong shape",
+                   fmt::format("({})", fmt::join(array.sizes, ", ")),
+                   fmt::format("(number of supports, {})", dimension),
+                   {}});
+  return std::move(array.values);
+}
+
 Stage read_stage(const hdf5::Group& group, std::size_t dimension) {
   Stage stage;
   read_attributes(group, stage);
   stage.points = read_points<SamplePoints>(group.open_group("points"), dimension);
+  if (group.has(layout::support_reactions)) stage.support_reactions = read_support_reactions(group, dimension);
   if (!group.has("probes")) return stage;
   const hdf5::Group probes = group.open_group("probes");
   for (const std::string& name : probes.names())

@@ -60,6 +60,7 @@ void write_head(const hdf5::Group& root, const std::string& solver, const std::s
 template <class Points>
 void write_points(const hdf5::Group& group, const Points& points, std::size_t dimension) {
   layout::for_each_array(points, dimension, [&](const char* name, std::size_t columns, const auto& values) {
+    if (values.empty() && layout::is_optional(name)) return;
     const std::size_t expected = points.size() * (columns == 0 ? 1 : columns);
     if (values.size() != expected)
       throw std::logic_error(
@@ -106,6 +107,10 @@ void ResultWriter::write(const Stage& stage) {
   const hdf5::Group probes = group.create_group("probes");
   for (const auto& [name, samples] : stage.probes)
     write_points(probes.create_group(name), samples, impl_->dimension);
+  if (!stage.support_reactions.empty())
+    group.write_array(layout::support_reactions,
+                      layout::sizes(stage.support_reactions.size() / impl_->dimension, impl_->dimension),
+                      stage.support_reactions);
   ++impl_->written;
 }
 

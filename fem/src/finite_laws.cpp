@@ -86,6 +86,8 @@ std::optional<PointResponse> respond(exchange::Law law, const Elasticity& consta
     return hencky(constants, motion.after, volume_ratio, wanted);
   case exchange::Law::neo_hookean:
     return neo_hookean(constants, motion.after, volume_ratio, wanted);
+  default:
+    break;
   }
   return {};
 }

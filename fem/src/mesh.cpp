@@ -49,7 +49,7 @@ void make_polygons(const exchange::Case& study, dealii::Triangulation<2>& mesh) 
 template <int dim>
 void make_mesh(const exchange::Case& study, dealii::Triangulation<dim>& mesh) {
   if constexpr (dim == 2)
-    if (study.geometry.shape == exchange::Shape::polygons) return make_polygons(study, mesh);
+    if (study.geometry.drawn()) return make_polygons(study, mesh);
   make_column(study, mesh);
 }
 

@@ -50,10 +50,35 @@ void require_polygon_placement(const exchange::Case& study) {
 /// At finite strain a layer lies on what has settled below it.
 void require_placement(const exchange::Case& study) {
   if (study.fem.kinematics == exchange::Kinematics::small) return;
-  if (study.geometry.shape == exchange::Shape::polygons)
+  if (study.geometry.drawn())
     require_polygon_placement(study);
   else
     require_column_placement(study);
+}
+
+/// What cases may ask for and this program does not do.
+void require_known(const exchange::Case& study) {
+  const auto refuse = [&](const std::string& key, std::string what, std::string given, std::string allowed) {
+    throw exchange::InputError({.where = study.where(key),
+                                .what = std::move(what),
+                                .given = std::move(given),
+                                .allowed = std::move(allowed),
+                                .remedy = {}});
+  };
+  if (study.geometry.shape == exchange::Shape::point)
+    refuse("geometry.shape", "settle-fem drives no single material points", "\"point\"", "a body");
+  for (int layer = 1; layer <= study.construction.layers; ++layer) {
+    if (&study.material_of(layer) != &study.fill())
+      refuse("geometry", "settle-fem builds of one material", fmt::format("another in layer {}", layer),
+             "the same material in all layers");
+  }
+  if (study.fill().law > exchange::Law::neo_hookean)
+    refuse("material." + study.construction.material + ".law", "settle-fem does not know this law",
+           fmt::format("\"{}\"", exchange::name_of(study.fill().law)), "\"rate\", \"hencky\" or \"neo-hookean\"");
+  for (std::size_t number = 0; number < study.stages.size(); ++number)
+    if (study.stages[number].action != exchange::Action::place)
+      refuse(fmt::format("stage.{}.action", number), "settle-fem places layers and does nothing else",
+             fmt::format("\"{}\"", exchange::name_of(study.stages[number].action)), "\"place\"");
 }
 
 /// A support that is drawn beside the body would hold nothing, without a word.
@@ -87,15 +112,16 @@ std::array<unsigned, 3> cells_along_axes(const exchange::Case& study) {
 }
 
 std::size_t number_of_cells(const exchange::Case& study) {
-  if (study.geometry.shape == exchange::Shape::polygons) return mesh_polygons(study).cells.size();
+  if (study.geometry.drawn()) return mesh_polygons(study).cells.size();
   const std::array<unsigned, 3> along = cells_along_axes(study);
   return std::size_t{along[0]} * along[1] * along[2];
 }
 
 void require_solvable(const exchange::Case& study) {
+  require_known(study);
   require_placement(study);
   static_cast<void>(number_of_cells(study));
-  if (study.geometry.shape == exchange::Shape::polygons) require_supports_at_nodes(study);
+  if (study.geometry.drawn()) require_supports_at_nodes(study);
 }
 
 } // namespace settle::fem

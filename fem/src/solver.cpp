@@ -140,7 +140,7 @@ private:
   }
 
   [[nodiscard]] double surface_height(const exchange::SamplePoints& points) const {
-    if (study_.geometry.shape == exchange::Shape::polygons) return highest_point(problem_);
+    if (study_.geometry.drawn()) return highest_point(problem_);
     return std::accumulate(points.volume.begin(), points.volume.end(), 0.0) / plan_area(study_.geometry);
   }
 

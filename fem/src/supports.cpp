@@ -24,7 +24,7 @@ bool on_rollers(const Cell& cell, unsigned i) {
 template <int dim>
 Supports<dim>::Supports(const exchange::Case& study)
     : shape_(study.geometry.shape), supports_(study.supports), slack_(0.0) {
-  if (shape_ == exchange::Shape::polygons) slack_ = round_off(study.geometry);
+  if (study.geometry.drawn()) slack_ = round_off(study.geometry);
 }
 
 template <int dim>

@@ -81,7 +81,7 @@ Body<Space> unsupported_body(const exchange::Case& study, const Space& space) {
 template <class Space>
 Body<Space> empty_body(const exchange::Case& study) {
   if constexpr (Space::dim == 2)
-    if (study.geometry.shape == exchange::Shape::polygons) {
+    if (study.geometry.drawn()) {
       Body<Space> body = unsupported_body(study, Space(grid_around(study)));
       body.fixed = polygon_supports(study, body.space);
       return body;

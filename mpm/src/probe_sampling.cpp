@@ -107,7 +107,7 @@ std::map<std::string, exchange::ProbeSamples> sample_probes(const exchange::Case
   std::map<std::string, exchange::ProbeSamples> samples;
   for (const auto& [name, line] : study.probes) {
     if constexpr (dim == 2)
-      if (study.geometry.shape == exchange::Shape::polygons) {
+      if (study.geometry.drawn()) {
         samples[name] = sample_across(study, line, points, static_cast<int>(placements.size()));
         continue;
       }

@@ -81,7 +81,7 @@ StageReport load(const exchange::Case& study, const StageLoad& stage, Body<Space
 template <class Space>
 void place(const exchange::Case& study, const LayerPlacement& placement, Body<Space>& body) {
   if constexpr (Space::dim == 2)
-    if (study.geometry.shape == exchange::Shape::polygons) {
+    if (study.geometry.drawn()) {
       place_polygons(study, placement.layer, body);
       body.sort();
       return;

@@ -129,7 +129,7 @@ TEST(Judge, AMissingStageIsMissingForEveryCheckOfTheLastStage) {
   result_in(run, "mpm").stages.pop_back();
   judge_into(run);
   EXPECT_EQ(find(run.verdicts, "settlement").status, Status::missing);
-  EXPECT_EQ(find(run.verdicts, "mpm: every layer has its stage").status, Status::missing);
+  EXPECT_EQ(find(run.verdicts, "mpm: every stage is there").status, Status::missing);
   EXPECT_EQ(exit_code_of({run}), ExitCode::file_failed);
 }
 

@@ -24,6 +24,8 @@ void expect_same(const SamplePoints& read, const SamplePoints& written) {
   EXPECT_EQ(read.stress, written.stress);
   EXPECT_EQ(read.density, written.density);
   EXPECT_EQ(read.volume, written.volume);
+  EXPECT_EQ(read.plastic_strain, written.plastic_strain);
+  EXPECT_EQ(read.preconsolidation_pressure, written.preconsolidation_pressure);
 }
 
 void expect_same(const ProbeSamples& read, const ProbeSamples& written) {
@@ -47,6 +49,7 @@ void expect_same(const Stage& read, const Stage& written) {
   EXPECT_EQ(read.base_reaction, written.base_reaction);
   EXPECT_EQ(read.surface_height, written.surface_height);
   EXPECT_EQ(read.wall_time, written.wall_time);
+  EXPECT_EQ(read.support_reactions, written.support_reactions);
   expect_same(read.points, written.points);
   ASSERT_EQ(read.probes.size(), written.probes.size());
   for (const auto& [name, samples] : written.probes)

@@ -66,6 +66,11 @@ Stage sample_stage(int layer, int dimension) {
     stage.points.layer.push_back(static_cast<std::int32_t>(i / 3) + 1);
     stage.points.refilled.push_back(i % 2);
   }
+  if (layer == 2) { // what may be left out
+    stage.points.plastic_strain = next.many(n);
+    stage.points.preconsolidation_pressure = next.many(n);
+    stage.support_reactions = next.many(3 * dim);
+  }
   stage.probes["axis"] = {.layer = {1, 1},
                           .design_position = next.many(m * dim),
                           .placed_position = next.many(m * dim),

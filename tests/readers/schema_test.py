@@ -18,16 +18,22 @@ settle, sources = sys.argv[1], pathlib.Path(sys.argv[2])
 
 # What only the programs can know: keys that contradict each other, and names that have to be in the same file.
 beyond_a_schema = {
-    "band_upside_down", "compared_with_itself", "convergence_of_an_unknown_solver", "damped_motion",
-    "floating_polygons", "formula_unfinished", "formula_with_a_slip", "layer_without_polygon", "layers_backwards",
+    "attraction_beyond_preconsolidation", "band_upside_down", "compared_with_itself", "control_of_nothing_known",
+    "convergence_of_an_unknown_solver", "damped_motion", "embankment_all_foundation", "embankment_with_a_support",
+    "embankment_without_measures", "everything_removed", "formula_unfinished", "formula_with_a_slip",
+    "ground_under_a_fill", "hold_before_anything", "k0_of_a_fill", "layer_never_placed", "layer_of_two_materials",
+    "layer_placed_twice", "layer_removed_before_it_is_there", "layer_without_polygon", "layers_backwards",
     "layers_that_are_not_there", "level_given_twice", "levels_from_fine_to_coarse", "levels_of_nothing",
-    "levels_that_do_not_match", "levels_without_element_size", "line_that_is_not_fitted", "missing_key",
-    "motion_of_a_solid_column", "motion_under_way", "order_left_out", "order_of_divergence", "polygon_clockwise",
-    "polygon_with_a_dent", "polygons_in_space", "polygons_that_overlap", "polygons_without_support",
-    "probe_beside_the_depth", "probe_outside", "probes_beside_the_polygons", "reference_called_exact",
-    "relaxation_for_a_time",
-    "second_meaning_of_x", "support_of_a_column", "support_of_no_motion", "two_levels_of_layers",
-    "undefined_material",
+    "levels_that_do_not_match", "levels_without_element_size", "line_that_is_not_fitted", "load_on_a_point",
+    "load_on_nothing", "load_without_a_load", "measures_of_an_embankment", "missing_key", "more_dilation_than_friction",
+    "motion_of_a_solid_column", "motion_under_way", "neither_cohesion_nor_friction", "order_left_out",
+    "order_of_divergence", "path_of_a_column", "paths_of_different_lengths", "point_in_layers", "point_with_a_support",
+    "point_without_a_path", "polygon_clockwise", "polygon_of_an_unknown_material", "polygon_with_a_dent",
+    "polygons_in_space", "polygons_that_overlap", "polygons_without_support", "probe_beside_the_depth", "probe_outside",
+    "probes_beside_the_polygons", "reference_called_exact", "refilled_polygons", "relaxation_for_a_time",
+    "second_meaning_of_x", "stage_of_no_layer", "stages_of_a_column", "strength_left_out", "strength_of_an_elastic_law",
+    "strength_of_nothing", "support_of_a_column", "support_of_no_motion", "swelling_beyond_compression",
+    "two_levels_of_layers", "undefined_material",
 }
 
 

@@ -40,7 +40,7 @@ struct Place {
     if (line.empty()) return column_profile(samples, run.study, quantity);
     return line_profile(samples, run.study.probes.at(line), quantity);
   }
-  [[nodiscard]] int last_stage() const { return run.study.construction.layers; }
+  [[nodiscard]] int last_stage() const { return run.study.n_stages(); }
 };
 
 std::vector<std::vector<ChartPoint>> pieces_of(Profile profile) {

@@ -45,6 +45,8 @@ Formulas of_law(Law law) {
              "Cauchy stress of a vertical stretch λ; λ_L and μ are Lamé’s constants"},
             {"sigma(lambda(W)) = -W", "stretch under the overburden W, by root finding"},
             {"Lambda(W) = integral(lambda(w), w, 0, W)", "integral of λ from no overburden to W, by quadrature"}};
+  default:
+    break; // no closed form
   }
   return {};
 }

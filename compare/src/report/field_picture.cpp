@@ -24,7 +24,7 @@ bool is_within(const PlaneBox& box, const PlanePoint& point) { // false for NaN
 }
 
 PlaneBox design_box(const Case& study) {
-  if (study.geometry.shape == exchange::Shape::polygons) return exchange::bounding_box(study.geometry);
+  if (study.geometry.drawn()) return exchange::bounding_box(study.geometry);
   return {.lowest = {0.0, 0.0}, .highest = {study.geometry.width, study.geometry.height}};
 }
 
@@ -118,7 +118,7 @@ void add_remarks(const RunOutcome& run, FieldPicture& picture) {
     return solver.result && solver.result->used.kinematics == exchange::Kinematics::small;
   };
   const bool any_frozen = std::any_of(run.solvers.begin(), run.solvers.end(), frozen);
-  if (any_frozen && run.study.construction.layers > 1)
+  if (any_frozen && run.study.n_stages() > 1)
     picture.remarks.emplace_back(
         "With small strain a layer is placed where it is designed: between two layers lies the "
         "gap that had settled before the upper one came.");

@@ -100,7 +100,7 @@ PlotCurve drawn(const Curve& curve, const RunOutcome& run, const CampaignOutcome
     return result;
   }
   const Result* solved = run.result_of(curve.source);
-  const int last = solved != nullptr ? static_cast<int>(solved->stages.size()) : run.study.construction.layers;
+  const int last = solved != nullptr ? static_cast<int>(solved->stages.size()) : run.study.n_stages();
   for (int stage = curve.stages == CheckStages::all ? 1 : last; stage <= last; ++stage) {
     const Profile profile = profile_at(curve, run, plot.quantity, stage);
     if (curve.stages == CheckStages::all) label_stage(plot, profile, stage);
@@ -125,7 +125,7 @@ const SolverRun* first_that_solves(const RunOutcome& run, Kinematics kinematics)
 std::vector<double> common_interfaces(const Plot& plot, const CampaignOutcome& outcome) {
   std::set<int> numbers;
   for (const PlotCurve& curve : plot.curves)
-    numbers.insert(outcome.find(curve.run)->study.construction.layers);
+    numbers.insert(outcome.find(curve.run)->study.n_stages());
   std::vector<double> levels;
   if (numbers.size() != 1 || *numbers.begin() > 20) return levels;
   for (int k = 1; k < *numbers.begin(); ++k)

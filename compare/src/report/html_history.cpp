@@ -78,7 +78,7 @@ std::vector<History> of_exact(const RunOutcome& run, std::vector<std::string>& m
     if (kinematics == Kinematics::small) history.source = "exact-small";
     try {
       const std::string reason = exact_solution(run.study, kinematics)->lacks(Quantity::settlement);
-      for (int stage = 1; reason.empty() && stage <= run.study.construction.layers; ++stage)
+      for (int stage = 1; reason.empty() && stage <= run.study.n_stages(); ++stage)
         history.values.push_back(exact_largest(run, kinematics, stage));
       if (reason.empty())
         histories.push_back(std::move(history));
@@ -146,8 +146,8 @@ Chart history_chart(const RunOutcome& run) {
 std::string history_html(const CampaignOutcome& outcome, const RunOutcome& run) {
   constexpr int few = 5; // stages whose numbers are read more easily than a drawing
   Chart chart = history_chart(run);
-  if (run.study.construction.layers < 2 || chart.series.empty()) return {};
-  if (run.study.construction.layers <= few && chart.missing.empty()) return html_of(table_of(chart));
+  if (run.study.n_stages() < 2 || chart.series.empty()) return {};
+  if (run.study.n_stages() <= few && chart.missing.empty()) return html_of(table_of(chart));
   chart.id = anchor_of(outcome, run) + "-history";
   return chart_html(std::move(chart));
 }

@@ -92,7 +92,7 @@ Profile profile_at(const Curve& curve, const RunOutcome& run, const std::string&
 PlotCurve drawn(const Curve& curve, const RunOutcome& run, const std::string& line, Quantity quantity) {
   PlotCurve shown{printable(curve.label), curve.run, curve.source, {}};
   const exchange::Result* solved = run.result_of(curve.source);
-  const int last = solved != nullptr ? static_cast<int>(solved->stages.size()) : run.study.construction.layers;
+  const int last = solved != nullptr ? static_cast<int>(solved->stages.size()) : run.study.n_stages();
   for (int stage = curve.stages == CheckStages::all ? 1 : last; stage <= last; ++stage) {
     const Profile profile = profile_at(curve, run, line, quantity, stage);
     shown.profile.insert(shown.profile.end(), profile.begin(), profile.end());
@@ -139,7 +139,7 @@ Figure figure_of(const RunOutcome& run, const std::string& line, Quantity quanti
 } // namespace
 
 bool is_body(const Case& study) {
-  return study.geometry.shape == exchange::Shape::polygons;
+  return study.geometry.drawn();
 }
 
 Profile line_profile(const FieldSamples& samples, const exchange::Probes& line, Quantity quantity) {

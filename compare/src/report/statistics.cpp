@@ -131,7 +131,7 @@ double exact_value(const RunOutcome& run, const std::string& source, Statistic s
   if (run.study.geometry.shape != exchange::Shape::column) return nan;
   try {
     const ExactColumn exact(run.study, kinematics_solved(run, source));
-    return exact_statistic(exact, run.study.construction.layers, statistic);
+    return exact_statistic(exact, run.study.n_stages(), statistic);
   } catch (const exchange::InputError&) {
     return nan; // the column does not exist: it is too soft to stand
   }

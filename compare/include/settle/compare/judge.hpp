@@ -18,7 +18,7 @@ void judge_into(RunOutcome& run);
 /// One verdict for a check of the case.
 Verdict judge_check(const RunOutcome& run, const exchange::Check& check);
 
-/// Conservation, for every solver with a result, over all its stages, the worst stage named: every layer has its stage,
+/// Conservation, for every solver with a result, over all its stages, the worst stage named: every stage is there,
 /// mass before + placed + refilled = mass, points' mass = mass, weight = gravity x mass, base reaction = weight.
 /// The base reaction is judged where the base carries the weight and nothing else; see `reaction_unaudited`.
 std::vector<Verdict> judge_balance(const RunOutcome& run);

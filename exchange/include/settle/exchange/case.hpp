@@ -8,14 +8,18 @@
 #include <array>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace settle::exchange {
 
-enum class Shape { column, polygons };
-enum class Law { rate, hencky, neo_hookean };
+/// `embankment`: polygons and supports made of a few lengths. `point`: no body, single material points (`[[path]]`).
+enum class Shape { column, polygons, embankment, point };
+enum class Law { rate, hencky, neo_hookean, tresca, mohr_coulomb, drucker_prager, cam_clay, stress_dependent };
+/// What a stage does.
+enum class Action { ground, place, remove, hold, load };
 enum class Convention { refill, level_up, floating, drop };
 enum class MpmElement { triangle, quadrilateral, tetrahedron, hexahedron };
 enum class Basis { linear, gimp, b_spline };
@@ -63,11 +67,16 @@ struct EnumNames;
 
 template <>
 struct EnumNames<Shape> {
-  static constexpr std::array<std::string_view, 2> names{"column", "polygons"};
+  static constexpr std::array<std::string_view, 4> names{"column", "polygons", "embankment", "point"};
 };
 template <>
 struct EnumNames<Law> {
-  static constexpr std::array<std::string_view, 3> names{"rate", "hencky", "neo-hookean"};
+  static constexpr std::array<std::string_view, 8> names{
+      "rate", "hencky", "neo-hookean", "tresca", "mohr-coulomb", "drucker-prager", "cam-clay", "stress-dependent"};
+};
+template <>
+struct EnumNames<Action> {
+  static constexpr std::array<std::string_view, 5> names{"ground", "place", "remove", "hold", "load"};
 };
 template <>
 struct EnumNames<Convention> {
@@ -163,6 +172,18 @@ constexpr std::string_view name_of(Enum value) {
 struct Polygon {
   int layer = 1;                              ///< 1 ... N
   std::vector<std::vector<double>> corners{}; ///< (3 or more, 2) [m]
+  std::string material{};                     ///< a name among the case's materials; empty: that of the construction
+};
+
+/// A symmetric or lopsided section with a level crest. x = 0 in the middle of the crest, y = 0 at the base of the fill.
+struct Embankment {
+  double height = 0.0;               ///< of the fill [m]
+  double crest = 0.0;                ///< width of the crest [m]
+  std::vector<double> slopes{};      ///< (2) left and right, horizontal per vertical [-]
+  double foundation_depth = 0.0;     ///< 0: the fill stands on a rigid base; else layer 1 is the foundation [m]
+  double foundation_left = 0.0;      ///< extent of the foundation beyond the toe [m]
+  double foundation_right = 0.0;     ///< likewise
+  std::string foundation_material{}; ///< empty: that of the construction
 };
 
 /// The domain that is built up.
@@ -173,7 +194,11 @@ struct Geometry {
   std::optional<double>
       depth{};       ///< third dimension [m]; set by `read_case` to the width where a 3-D case leaves it out
   int dimension = 2; ///< 2 (plane strain) or 3
-  std::vector<Polygon> polygons{}; ///< `[[geometry.polygon]]`, with the shape `polygons` only
+  std::vector<Polygon> polygons{};        ///< `[[geometry.polygon]]`; of an embankment made by `read_case`
+  std::optional<Embankment> embankment{}; ///< `[geometry.embankment]`, with the shape `embankment` only
+
+  /// Does the body consist of polygons?
+  [[nodiscard]] bool drawn() const { return shape == Shape::polygons || shape == Shape::embankment; }
 };
 
 /// A straight part of the boundary of polygons that is held. A column has its oedometer without being told.
@@ -200,6 +225,43 @@ struct Material {
   double poissons_ratio = 0.0;      ///< nu [-]
   double density = 0.0;             ///< as placed [kg/m3]
   std::optional<double> porosity{}; ///< [-]; recorded, not used by one-phase solvers
+  // Strength; which keys a law needs is in docs/soils.md.
+  std::optional<double> cohesion{};         ///< c, or the undrained strength c_u of `tresca` [Pa]
+  std::optional<double> friction_angle{};   ///< phi [degrees]
+  std::optional<double> dilation_angle{};   ///< psi [degrees]; set by `read_case`: 0 where left out
+  std::optional<double> tensile_strength{}; ///< no principal stress above it [Pa]; none: the apex is the limit
+  // Modified Cam-clay.
+  std::optional<double> critical_state_slope{};      ///< M, q = M p [-]
+  std::optional<double> compression_index{};         ///< lambda, by the natural logarithm of pressure [-]
+  std::optional<double> swelling_index{};            ///< kappa, likewise [-]
+  std::optional<double> void_ratio{};                ///< e_0 as placed [-]
+  std::optional<double> preconsolidation_pressure{}; ///< p_c as placed [Pa]
+  std::optional<double> attraction{};                ///< p_t, added to the pressure [Pa]; set by `read_case`: 0
+  // Stiffness that grows with stress.
+  std::optional<double> stiffness_exponent{}; ///< m [-]
+  std::optional<double> reference_pressure{}; ///< p_ref [Pa]
+};
+
+/// A step of the construction. `read_case` makes one for each layer where a case has none.
+struct StageEntry {
+  Action action = Action::place;
+  int layer = 1; ///< of ground, place and remove; of hold and load the layer placed last, set by `read_case`
+  std::optional<double> k0{};       ///< of ground: horizontal over vertical stress; none: as its law has it
+  std::vector<double> from{}, to{}; ///< (2) of load: ends of a straight part of the surface [m]
+  std::vector<double> traction{};   ///< (2) of load: x, y, reached at the end of the stage and kept [Pa]
+};
+
+/// A way of a single material point through strains or stresses, shape `point`. One stage.
+struct PathLeg {
+  int point = 1;                      ///< 1 ... number of points
+  std::vector<std::string> control{}; ///< (6) "strain" or "stress"; set by `read_case`: all strain where left out
+  std::vector<double> increment{};    ///< (6) xx yy zz xy yz xz of tensor strain [-] or stress [Pa]
+  int increments = 1;                 ///< equal steps
+};
+
+/// State of single material points at the start.
+struct InitialState {
+  std::vector<double> stress{}; ///< (6) Cauchy [Pa]; set by `read_case` for points: zero where left out
 };
 
 struct Construction {
@@ -325,15 +387,26 @@ struct Case {
   std::optional<Refinement> converge{};          ///< `[converge]`
   std::vector<Support> supports{};               ///< `[[support]]`, of polygons
   std::optional<Motion> motion{};                ///< `[motion]`, of polygons
+  std::vector<StageEntry> stages{};              ///< `[[stage]]`; set by `read_case`: one for each layer where left out
+  std::vector<PathLeg> paths{};                  ///< `[[path]]`, of points
+  InitialState initial{};                        ///< `[initial]`, of points
 
   std::string file{};                           ///< as given by the user
   std::map<std::string, std::string> origins{}; ///< dotted key -> `file:line:column` or `--set ...`; only keys given
 
   /// The material of the fill. Throws std::out_of_range only if the case did not come from `read_case`.
   [[nodiscard]] const Material& fill() const { return materials.at(construction.material); }
+  /// The material of a layer. Throws as `fill`.
+  [[nodiscard]] const Material& material_of(int layer) const;
+  /// How many stages there are: groups of a result, legs of the path of a point.
+  [[nodiscard]] int n_stages() const;
+  /// The layer of stage 1, 2, ...: that of its entry; 1 for single material points.
+  [[nodiscard]] int layer_of_stage(int stage) const;
+  /// The layers that are there after a stage.
+  [[nodiscard]] std::set<int> layers_present(int stage) const;
   /// Where a key was given, for messages: `file:line:column`, `--set ...`, or the file's name when it was left out.
   [[nodiscard]] std::string where(const std::string& key) const;
-  /// Design thickness of a layer [m].
+  /// Design thickness of a layer of a column [m].
   [[nodiscard]] double layer_thickness() const { return geometry.height / construction.layers; }
 };
 

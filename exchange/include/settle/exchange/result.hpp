@@ -25,6 +25,8 @@ struct SamplePoints {
   std::vector<double> stress{};          ///< (n, 6) Cauchy [Pa]
   std::vector<double> density{};         ///< (n) current [kg/m3]
   std::vector<double> volume{};          ///< (n) current [m3/m or m3]
+  std::vector<double> plastic_strain{};  ///< (n) accumulated equivalent deviatoric [-]; empty where nothing yields
+  std::vector<double> preconsolidation_pressure{}; ///< (n) of cam-clay [Pa]; empty where there is none
 
   [[nodiscard]] std::size_t size() const { return id.size(); }
 };
@@ -56,6 +58,7 @@ struct Stage {
   double wall_time = 0;           ///< [s]
   SamplePoints points{};
   std::map<std::string, ProbeSamples> probes{};
+  std::vector<double> support_reactions{}; ///< (supports, dim) force on the body [N/m or N]; empty: not known
 };
 
 /// The values the solver really used, for the driver to hold against the case.
