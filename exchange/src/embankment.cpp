@@ -54,8 +54,9 @@ void draw_embankment(Case& study) {
   study.supports = {held(Held::both, {toes.left, 0.0}, {toes.right, 0.0})};
   if (ground == 1) draw_foundation(study, fill);
   for (int lift = 0; lift < lifts; ++lift)
-    study.geometry.polygons.push_back(layer_of_fill(fill, ground + lift + 1, fill.height * lift / lifts,
-                                                    lift + 1 == lifts ? fill.height : fill.height * (lift + 1) / lifts));
+    study.geometry.polygons.push_back(
+        layer_of_fill(fill, ground + lift + 1, fill.height * lift / lifts,
+                      lift + 1 == lifts ? fill.height : fill.height * (lift + 1) / lifts));
 }
 
 } // namespace settle::exchange

@@ -38,7 +38,8 @@ public:
       above_ground_ = true;
       if (present_.erase(entry.layer) == 0)
         refuse(".layer", " is removed but not there", fmt::format("layer {}", entry.layer), "a layer that is placed");
-      if (present_.empty()) refuse(".layer", " leaves nothing", fmt::format("layer {}", entry.layer), "layers that stay");
+      if (present_.empty())
+        refuse(".layer", " leaves nothing", fmt::format("layer {}", entry.layer), "layers that stay");
       break;
     case Action::hold:
     case Action::load:
@@ -62,8 +63,11 @@ public:
 
 private:
   void refuse(const std::string& last, const std::string& what, const std::string& given, const std::string& allowed) {
-    reading_.complain(
-        {.where = study_.where(key_ + last), .what = key_ + last + what, .given = given, .allowed = allowed, .remedy = {}});
+    reading_.complain({.where = study_.where(key_ + last),
+                       .what = key_ + last + what,
+                       .given = given,
+                       .allowed = allowed,
+                       .remedy = {}});
   }
 
   void check_load(const StageEntry& entry) {

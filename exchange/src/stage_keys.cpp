@@ -13,8 +13,7 @@ KeyTable<StageEntry> stage_keys() {
   keys.choice("action", &StageEntry::action,
               {.doc = "existing ground comes to rest and its displacements are set to zero; a layer is placed, or "
                       "removed; nothing changes; or the surface is loaded"});
-  keys.integer("layer", &StageEntry::layer,
-               {.range = at_least(1), .doc = "of ground, place and remove: the layer"});
+  keys.integer("layer", &StageEntry::layer, {.range = at_least(1), .doc = "of ground, place and remove: the layer"});
   keys.real("k0", &StageEntry::k0,
             {.range = at_least(0),
              .left_out = "as its law has it",
@@ -56,7 +55,10 @@ KeyTable<PathLeg> path_keys() {
 KeyTable<InitialState> initial_keys() {
   KeyTable<InitialState> keys("State of single material points at the start, with the shape \"point\" only.");
   keys.reals("stress", &InitialState::stress,
-             {.unit = "Pa", .count = {.least = 6, .most = 6}, .left_out = "zero", .doc = "Cauchy stress: xx, yy, zz, xy, yz, xz"});
+             {.unit = "Pa",
+              .count = {.least = 6, .most = 6},
+              .left_out = "zero",
+              .doc = "Cauchy stress: xx, yy, zz, xy, yz, xz"});
   return keys;
 }
 

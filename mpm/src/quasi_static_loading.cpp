@@ -14,13 +14,17 @@ namespace {
 constexpr double smallest_fraction = 1.0 / 64.0;
 constexpr int max_closing_increments = 200;
 
-[[noreturn]] void give_up(const StageLoad& load, const Gravity& gravity, const IncrementReport& report) {
+/// `carried`: share of the increment that found its equilibrium.
+[[noreturn]] void give_up(const StageLoad& load, const Gravity& gravity, const IncrementReport& report,
+                          double carried) {
   throw exchange::NotConverged(
       {.where = fmt::format("stage {}, gravity factor {:g} of its layer", load.layer, gravity.factor),
-       .what = "the quasi-static increment did not converge, even in 64 parts",
+       .what = fmt::format("the quasi-static increment did not converge, even in 64 parts; {:.3f} of it is carried",
+                           carried),
        .given = fmt::format("relative out-of-balance force by iteration: {:.2e}", fmt::join(report.residuals, ", ")),
        .allowed = "mpm.quasi_static.residual",
-       .remedy = "take more mpm.quasi_static.increments, smaller elements, or mpm.scheme = \"explicit\""});
+       .remedy = "where a soil fails there is no equilibrium: mpm.scheme = \"explicit\" goes on; else take more "
+                 "mpm.quasi_static.increments, or smaller elements"});
 }
 
 /// Whether a node that `support_motion` moves belongs to a cell with points in it.
@@ -52,20 +56,21 @@ void require_touched(const Body<Space>& body, const StageLoad& load, const Eigen
 template <class Space>
 void balance(Body<Space>& body, QuasiStaticStep<Space>& step, const StageLoad& load, const Gravity& gravity,
              StageReport& stage, Eigen::VectorXd support_motion = {}) {
-  double fraction = 1.0;
+  double fraction = 1.0, carried = 0.0;
   while (true) {
     require_touched(body, load, support_motion);
     const IncrementReport report = step.advance(body, gravity, fraction, fraction * support_motion);
     stage.linear_solves += report.linear_solves;
     if (!report.converged) {
       fraction *= 0.5;
-      if (fraction < smallest_fraction) give_up(load, gravity, report);
+      if (fraction < smallest_fraction) give_up(load, gravity, report, carried);
       continue;
     }
     ++stage.steps;
     stage.out_of_balance = report.out_of_balance;
     stage.base_reaction = report.base_reaction;
     if (fraction >= 1.0) return;
+    carried += (1.0 - carried) * fraction;
     support_motion *= 1.0 - fraction; // what is left of it
     fraction = std::min(1.0, 2.0 * fraction);
   }

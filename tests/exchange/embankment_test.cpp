@@ -34,9 +34,9 @@ slopes = [2.0, 1.5]
 )";
 
 Case embankment(const std::string& more, int layers) {
-  return parse_case(head + more +
-                        "\n[construction]\nconvention = \"drop\"\nmaterial = \"fill\"\nlayers = " + std::to_string(layers),
-                    "embankment.toml");
+  return parse_case(
+      head + more + "\n[construction]\nconvention = \"drop\"\nmaterial = \"fill\"\nlayers = " + std::to_string(layers),
+      "embankment.toml");
 }
 
 const std::string ground = R"(
