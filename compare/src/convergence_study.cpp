@@ -7,6 +7,7 @@
 #include "settle/compare/legs.hpp"
 #include "settle/compare/refinement_levels.hpp"
 #include "settle/exchange/errors.hpp"
+#include "settle/exchange/formulas.hpp"
 
 namespace settle::compare {
 
@@ -14,6 +15,11 @@ using exchange::ErrorAgainst;
 using exchange::ExpectedConvergence;
 
 namespace {
+
+std::optional<double> exact_value(const exchange::Case& study, const ExpectedConvergence& wanted) {
+  if (wanted.exact.empty()) return {};
+  return exchange::value_of(study, wanted.exact, "converge.expect.exact");
+}
 
 /// Measures one level; the sentence says why it cannot be measured, and is empty where it could.
 std::string measure_level(const RunOutcome& run, ConvergenceStudy& study) {
@@ -23,7 +29,10 @@ std::string measure_level(const RunOutcome& run, ConvergenceStudy& study) {
                                            .reference = exact ? "exact" : wanted.solver,
                                            .quantity = wanted.quantity,
                                            .over = wanted.over,
-                                           .stage = run.study.n_stages()});
+                                           .stage = run.study.n_stages(),
+                                           .layers = {},
+                                           .support = wanted.support.value_or(0),
+                                           .exact = exact_value(run.study, wanted)});
   const RelativeNorm error = relative_norm(leg, wanted.norm);
   if (!error.problem.empty()) return fmt::format("{}: {}", run.name, error.problem);
   study.values.push_back(norm_of(leg.value, leg.weight, wanted.norm));

@@ -23,7 +23,10 @@ public:
       : column_(study, kinematics), thickness_(study.layer_thickness()), area_(plan_area(study)),
         gravity_(study.gravity), dimension_(study.geometry.dimension) {}
 
-  [[nodiscard]] std::string lacks(Quantity) const override { return {}; }
+  [[nodiscard]] std::string lacks(Quantity quantity) const override {
+    const bool of_drawn = quantity == Quantity::support_reaction || quantity == Quantity::failure_height;
+    return of_drawn ? "a column has no such thing" : "";
+  }
 
   [[nodiscard]] MaterialState at(const MaterialPoint& point, int stage) const override {
     return of(column_.at(point.layer, relative_height(point), stage));
@@ -89,6 +92,9 @@ public:
     case Quantity::stress:
       if (!formulas_) return "nothing is known to be exact: the case has no [motion]";
       return formulas_->has_stress() ? std::string() : "the case's [motion] does not state the stress";
+    case Quantity::support_reaction:
+    case Quantity::failure_height:
+      return "the check does not state its exact value";
     }
     return {};
   }

@@ -80,6 +80,8 @@ void append_field(const MaterialState& state, int dimension, Quantity quantity, 
   case Quantity::density:
   case Quantity::base_reaction:
   case Quantity::mass:
+  case Quantity::support_reaction:
+  case Quantity::failure_height:
     return values.push_back(no_value);
   }
 }
@@ -96,6 +98,8 @@ bool is_field(Quantity quantity) {
   case Quantity::density:
   case Quantity::base_reaction:
   case Quantity::mass:
+  case Quantity::support_reaction:
+  case Quantity::failure_height:
     return false;
   }
   return false;
@@ -153,6 +157,8 @@ FieldSamples table_samples(const ReferenceTable& table, int stage, Quantity quan
     case Quantity::density:
     case Quantity::base_reaction:
     case Quantity::mass:
+    case Quantity::support_reaction:
+    case Quantity::failure_height:
       return no_value;
     }
     return no_value;
@@ -185,6 +191,8 @@ double value_of(const ColumnState& state, Quantity quantity) {
   case Quantity::stress:
   case Quantity::base_reaction:
   case Quantity::mass:
+  case Quantity::support_reaction:
+  case Quantity::failure_height:
     return no_value;
   }
   return no_value;

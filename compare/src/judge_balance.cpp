@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <numeric>
@@ -15,13 +16,21 @@ using exchange::Stage;
 
 namespace {
 
-/// An audit: how far a stage is from balance, relative; the stage before it is null for the first.
+/// A stage where it stands: the one before it is null for the first.
+struct Audited {
+  const Stage& stage;
+  const Stage* before = nullptr;
+  int number = 1;
+  double share = 1.0; ///< of its layer's gravity that acts: less where the body failed
+};
+
+/// An audit: how far a stage is from balance, relative.
 struct Audit {
   std::string what{};
   double limit = 0;
   std::string scale{};
   std::string why{};
-  std::function<double(const Stage& stage, const Stage* before)> residual{};
+  std::function<double(const Audited&)> residual{};
 };
 
 double relative(double value, double reference) {
@@ -29,29 +38,47 @@ double relative(double value, double reference) {
 }
 
 /// Density x volume; where the geometry is frozen (small strain) volumes stay as placed, and so must the density.
-double point_mass(const Stage& stage, const exchange::Used& used) {
+double point_mass(const Stage& stage, const exchange::Used& used, const exchange::Case& study) {
   const std::vector<double>& volume = stage.points.volume;
   if (used.kinematics == exchange::Kinematics::small) {
-    return used.density * std::accumulate(volume.begin(), volume.end(), 0.0);
+    double mass = 0;
+    for (std::size_t p = 0; p < volume.size(); ++p) {
+      const exchange::Material& material = study.material_of(stage.points.layer[p]);
+      mass += volume[p] * (&material == &study.fill() ? used.density : material.density);
+    }
+    return mass;
   }
   return std::inner_product(stage.points.density.begin(), stage.points.density.end(), volume.begin(), 0.0);
 }
 
-std::vector<Audit> mass_audits(double gravity, const exchange::Used& used) {
+/// What loads on the surface add to the weight, downward, after a stage [N/m].
+double surface_load(const exchange::Case& study, int stage) {
+  const std::vector<exchange::StageEntry> stages = study.all_stages();
+  double load = 0;
+  for (int number = 1; number <= std::min(stage, study.n_stages()); ++number) {
+    const exchange::StageEntry& entry = stages[static_cast<std::size_t>(number - 1)];
+    if (entry.action == exchange::Action::load)
+      load -= entry.traction[1] * std::hypot(entry.to[0] - entry.from[0], entry.to[1] - entry.from[1]);
+  }
+  return load;
+}
+
+std::vector<Audit> mass_audits(const exchange::Case& study, const exchange::Used& used) {
   constexpr double round_off = 1e-12;
   constexpr double summed = 1e-9;
   return {
       {"mass before + placed + refilled = mass", round_off, "mass", "mass is conserved: round-off of the sum",
-       [](const Stage& stage, const Stage* before) {
-         return relative((before != nullptr ? before->mass : 0.0) + stage.mass_placed + stage.mass_refilled,
-                         stage.mass);
+       [](const Audited& of) {
+         const double before = of.before != nullptr ? of.before->mass : 0.0;
+         return relative(before + of.stage.mass_placed + of.stage.mass_refilled, of.stage.mass);
        }},
       {"mass of all points = mass", summed, "mass", "round-off of density x volume over many steps",
-       [used](const Stage& stage, const Stage*) { return relative(point_mass(stage, used), stage.mass); }},
+       [&study, used](const Audited& of) { return relative(point_mass(of.stage, used, study), of.stage.mass); }},
       {"weight = gravity x mass", round_off, "weight", "the same quantity: round-off",
-       [gravity](const Stage& stage, const Stage*) {
-         const bool weightless = gravity == 0.0 && stage.weight == 0.0;
-         return weightless ? 0.0 : relative(gravity * stage.mass, stage.weight);
+       [gravity = study.gravity](const Audited& of) {
+         const bool weightless = gravity == 0.0 && of.stage.weight == 0.0;
+         const double acting = of.stage.mass - (1.0 - of.share) * of.stage.mass_placed;
+         return weightless ? 0.0 : relative(gravity * acting, of.stage.weight);
        }},
   };
 }
@@ -62,7 +89,9 @@ bool is_explicit(const exchange::Case& study, const std::string& solver) {
 
 Audit reaction_audit(const exchange::Case& study, const std::string& solver) {
   Audit audit{.what = "base reaction = weight", .scale = "weight"};
-  audit.residual = [](const Stage& stage, const Stage*) { return relative(stage.base_reaction, stage.weight); };
+  audit.residual = [&study](const Audited& of) {
+    return relative(of.stage.base_reaction, of.stage.weight + surface_load(study, of.number));
+  };
   if (is_explicit(study, solver)) {
     audit.limit = 2e-3;
     audit.why = "a damped explicit scheme stops at a force error of 1e-3, not at zero";
@@ -89,10 +118,12 @@ Verdict judge_audit(const RunOutcome& run, const std::string& solver, const Resu
                   .why = audit.why,
                   .quantity = audit.scale,
                   .leg = solver};
-  const Stage* before = nullptr;
-  for (const Stage& stage : result.stages) {
-    const double residual = audit.residual(stage, before);
-    before = &stage;
+  for (std::size_t i = 0; i < result.stages.size(); ++i) {
+    const Stage& stage = result.stages[i];
+    const int number = static_cast<int>(i) + 1;
+    const bool failed = result.failure && result.failure->stage == number;
+    const double residual =
+        audit.residual({stage, i > 0 ? &result.stages[i - 1] : nullptr, number, failed ? result.failure->share : 1.0});
     if (residual <= verdict.value) continue;
     verdict.value = residual;
     verdict.scale = fmt::format("{} of stage {}", audit.scale, stage.layer);
@@ -102,8 +133,14 @@ Verdict judge_audit(const RunOutcome& run, const std::string& solver, const Resu
   return verdict;
 }
 
+/// All of the case, or as far as the body stood where it may fail.
+std::size_t stages_wanted(const exchange::Case& study, const Result& result) {
+  if (!study.construction.may_fail || !result.failure) return static_cast<std::size_t>(study.n_stages());
+  return static_cast<std::size_t>(result.failure->share > 0.0 ? result.failure->stage : result.failure->stage - 1);
+}
+
 Verdict judge_stages(const RunOutcome& run, const std::string& solver, const Result& result) {
-  const auto stages = static_cast<std::size_t>(run.study.n_stages());
+  const auto stages = stages_wanted(run.study, result);
   Verdict verdict{.status = Status::passed,
                   .run = run.name,
                   .what = fmt::format("{}: every stage is there", solver),
@@ -173,7 +210,7 @@ std::vector<Verdict> judge_balance(const RunOutcome& run) {
     if (!solver.result) continue;
     const Result& result = *solver.result;
     verdicts.push_back(judge_stages(run, solver.solver, result));
-    for (const Audit& audit : mass_audits(run.study.gravity, result.used)) {
+    for (const Audit& audit : mass_audits(run.study, result.used)) {
       verdicts.push_back(judge_audit(run, solver.solver, result, audit));
     }
     if (asks_for_equilibrium(run.study, solver.solver)) {

@@ -7,6 +7,7 @@
 #include "settle/compare/judge.hpp"
 #include "settle/compare/legs.hpp"
 #include "settle/exchange/errors.hpp"
+#include "settle/exchange/formulas.hpp"
 
 namespace settle::compare {
 
@@ -23,7 +24,9 @@ LegRequest request_of(const RunOutcome& run, const Check& check) {
                      .quantity = check.quantity,
                      .over = check.over,
                      .stage = run.study.n_stages(),
-                     .layers = check.layers};
+                     .layers = check.layers,
+                     .support = check.support.value_or(0)};
+  if (!check.exact.empty()) request.exact = exchange::value_of(run.study, check.exact, "check.exact");
   request.over = place_of(run, request);
   return request;
 }
@@ -69,6 +72,8 @@ bool measure(const RunOutcome& run, const Check& check, const LegRequest& reques
 
 void measure_all(const RunOutcome& run, const Check& check, LegRequest request, Verdict& verdict) {
   const int last = run.study.n_stages();
+  if (check.quantity == exchange::Quantity::failure_height)
+    return static_cast<void>(measure(run, check, request, verdict));
   int first = check.stages == CheckStages::all ? 1 : last;
   if (!check.layers.empty() && is_field(check.quantity)) first = std::max(first, check.layers.front());
   for (request.stage = first; request.stage <= last; ++request.stage) {

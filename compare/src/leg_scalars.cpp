@@ -3,8 +3,11 @@
 #include <cmath>
 #include <numeric>
 
+#include <fmt/format.h>
+
 #include "leg_side.hpp"
 #include "settle/compare/exact_solution.hpp"
+#include "settle/exchange/plane_geometry.hpp"
 
 namespace settle::compare {
 
@@ -12,10 +15,28 @@ using exchange::Quantity;
 
 namespace {
 
+/// Size of the force of one support.
+double reaction_of(const exchange::Stage& stage, std::size_t dimension, int support) {
+  double square = 0;
+  for (std::size_t c = 0; c < dimension; ++c) {
+    const double force = stage.support_reactions[static_cast<std::size_t>(support - 1) * dimension + c];
+    square += force * force;
+  }
+  return std::sqrt(square);
+}
+
 double scalar_of(const exchange::Stage& stage, Quantity quantity) {
   if (quantity == Quantity::mass) return stage.mass;
   if (quantity == Quantity::base_reaction) return stage.base_reaction;
   return stage.mass / std::accumulate(stage.points.volume.begin(), stage.points.volume.end(), 0.0);
+}
+
+double scalar_of(const RunOutcome& run, const exchange::Result& result, const LegRequest& request) {
+  if (request.quantity == Quantity::failure_height)
+    return exchange::fill_height(run.study, result.failure->stage, result.failure->share);
+  const exchange::Stage& stage = stage_of(result, request.stage);
+  if (request.quantity != Quantity::support_reaction) return scalar_of(stage, request.quantity);
+  return reaction_of(stage, static_cast<std::size_t>(result.used.dimension), request.support);
 }
 
 double scalar_of(const ReferenceTable& table, int stage, Quantity quantity) {
@@ -32,19 +53,36 @@ double scalar_of(const ReferenceTable& table, int stage, Quantity quantity) {
 double scalar_side(const RunOutcome& run, const std::string& name, const LegRequest& request) {
   switch (side_of(run, name)) {
   case Side::exact:
+    if (request.exact) return *request.exact;
     return exact_solution(run.study, kinematics_of(run, request.value))->scalar(request.quantity, request.stage);
   case Side::table:
     return scalar_of(run.references.at(name), request.stage, request.quantity);
   case Side::solver:
-    return scalar_of(stage_of(*run.result_of(name), request.stage), request.quantity);
+    return scalar_of(run, *run.result_of(name), request);
   }
   return std::nan("");
 }
 
+/// Why a result has no such number; empty where it has.
+std::string lacks(const RunOutcome& run, const std::string& name, const LegRequest& request) {
+  const exchange::Result* result = run.result_of(name);
+  if (result == nullptr) return {};
+  if (request.quantity == Quantity::failure_height && !result->failure)
+    return fmt::format("{} did not fail: it stands at its full height", name);
+  const auto needed = static_cast<std::size_t>(request.support * result->used.dimension);
+  if (request.quantity == Quantity::support_reaction &&
+      stage_of(*result, request.stage).support_reactions.size() < needed)
+    return fmt::format("{} does not say what its supports exert", name);
+  return {};
+}
+
 std::string obstacle(const RunOutcome& run, const LegRequest& request) {
   const bool table = side_of(run, request.value) == Side::table || side_of(run, request.reference) == Side::table;
-  if (table && request.quantity == Quantity::base_reaction) return "a reference table has no base reaction";
-  if (side_of(run, request.reference) != Side::exact) return {};
+  if (table && request.quantity != Quantity::mass && request.quantity != Quantity::density)
+    return fmt::format("a reference table has no {}", name_of(request.quantity));
+  for (const std::string& name : {request.value, request.reference})
+    if (std::string problem = lacks(run, name, request); !problem.empty()) return problem;
+  if (side_of(run, request.reference) != Side::exact || request.exact) return {};
   return exact_solution(run.study, kinematics_of(run, request.value))->lacks(request.quantity);
 }
 

@@ -169,8 +169,8 @@ Over place_of(const RunOutcome& run, const LegRequest& request) {
 LegSamples leg_samples(const RunOutcome& run, const LegRequest& request) {
   if (request.value == "exact") return nothing("the exact solution cannot be compared with itself");
   for (const std::string& name : {request.value, request.reference}) {
-    if (std::string problem = absence_of(run, name, request.stage); !problem.empty())
-      return nothing(std::move(problem));
+    const int stage = request.quantity == Quantity::failure_height ? 0 : request.stage;
+    if (std::string problem = absence_of(run, name, stage); !problem.empty()) return nothing(std::move(problem));
   }
   if (!is_field(request.quantity)) return scalar_leg(run, request);
   const Over over = place_of(run, request);

@@ -10,6 +10,7 @@ std::string unit_of(Quantity quantity) {
   switch (quantity) {
   case Quantity::settlement:
   case Quantity::displacement:
+  case Quantity::failure_height:
     return "m";
   case Quantity::vertical_stress:
   case Quantity::lateral_stress:
@@ -19,6 +20,7 @@ std::string unit_of(Quantity quantity) {
   case Quantity::density:
     return "kg/m3";
   case Quantity::base_reaction:
+  case Quantity::support_reaction:
     return "N/m";
   case Quantity::mass:
     return "kg/m";
@@ -29,7 +31,8 @@ std::string unit_of(Quantity quantity) {
 } // namespace
 
 std::string unit_of(Quantity quantity, int dimension) {
-  if (dimension == 3 && quantity == Quantity::base_reaction) return "N";
+  const bool is_force = quantity == Quantity::base_reaction || quantity == Quantity::support_reaction;
+  if (dimension == 3 && is_force) return "N";
   if (dimension == 3 && quantity == Quantity::mass) return "kg";
   return unit_of(quantity);
 }

@@ -11,6 +11,7 @@
 #include "path_consistency.hpp"
 #include "polygon_consistency.hpp"
 #include "refinement_consistency.hpp"
+#include "settle/exchange/formulas.hpp"
 #include "settle/exchange/spelling.hpp"
 #include "stage_consistency.hpp"
 
@@ -82,6 +83,37 @@ void check_layers(const Check& check, const std::string& key, const Case& study,
                     .remedy = {}});
 }
 
+/// What has one value and no field, and what that asks for.
+struct OneValue {
+  std::string key;
+  Quantity quantity;
+  const std::optional<int>& support;
+  const std::string& exact;
+};
+
+void check_one_value(const OneValue& asked, const Case& study, Reading& reading) {
+  const auto refuse = [&](const std::string& last, const std::string& what, const std::string& given,
+                          const std::string& allowed) {
+    reading.complain({.where = study.where(asked.key + last),
+                      .what = asked.key + last + what,
+                      .given = given,
+                      .allowed = allowed,
+                      .remedy = {}});
+  };
+  const auto supports = static_cast<int>(study.supports.size());
+  const bool of_support = asked.quantity == Quantity::support_reaction;
+  if (of_support && (!asked.support || *asked.support > supports))
+    refuse(".support", " does not name a support of the case", asked.support ? fmt::format("{}", *asked.support) : "",
+           fmt::format("from 1 to {}", supports));
+  if (!of_support && asked.support)
+    refuse(".support", " is for a support reaction only", std::string(name_of(asked.quantity)), "support-reaction");
+  if (asked.exact.empty()) return;
+  if (asked.quantity < Quantity::density)
+    return refuse(".exact", " gives one value to a field", std::string(name_of(asked.quantity)),
+                  "a quantity that has one value");
+  static_cast<void>(value_of(study, asked.exact, asked.key + ".exact"));
+}
+
 void check_band(const Check& check, const std::string& key, const Case& study, Reading& reading) {
   if (check.at_least <= check.limit) return;
   reading.complain({.where = study.where(key + ".at_least"),
@@ -122,8 +154,16 @@ void check_consistency(const Case& study, Reading& reading) {
     check_between(study.checks[number], key, study, reading);
     check_layers(study.checks[number], key, study, reading);
     check_band(study.checks[number], key, study, reading);
+    check_one_value({key, study.checks[number].quantity, study.checks[number].support, study.checks[number].exact},
+                    study, reading);
   }
-  if (study.converge) check_refinement(study, reading);
+  if (!study.converge) return;
+  check_refinement(study, reading);
+  for (std::size_t number = 0; number < study.converge->expectations.size(); ++number) {
+    const ExpectedConvergence& expected = study.converge->expectations[number];
+    check_one_value({fmt::format("converge.expect.{}", number), expected.quantity, expected.support, expected.exact},
+                    study, reading);
+  }
 }
 
 } // namespace settle::exchange

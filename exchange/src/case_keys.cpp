@@ -124,6 +124,8 @@ KeyTable<Construction> construction_keys() {
   keys.choice("convention", &Construction::convention,
               {.required = true, .doc = "where a new layer is placed and what makes up for settlement"});
   keys.text("material", &Construction::material, {.required = true, .doc = "the NAME of a `[material.NAME]`"});
+  keys.boolean("may_fail", &Construction::may_fail,
+               {.doc = "a stage that finds no equilibrium ends the construction and is its result, not an error"});
   return keys;
 }
 
@@ -260,6 +262,12 @@ KeyTable<Check> check_keys_table() {
   keys.real_or_word(
       "scale", &Check::scale, "reference",
       {.range = above(0), .doc = "the same norm of the reference, or a number in SI units of the quantity"});
+  keys.integer(
+      "support", &Check::support,
+      {.range = at_least(1), .left_out = "required for a support reaction", .doc = "its number in the case, from 1"});
+  keys.text("exact", &Check::exact,
+            {.doc = "formula of the exact value, of a quantity that has one value; constants as in `[motion]`, and no "
+                    "X, Y, t, layer, stage"});
   keys.text("why", &Check::why, {.doc = "the reason for the limit, shown in reports"});
   return keys;
 }
@@ -291,6 +299,9 @@ KeyTable<ExpectedConvergence> expectation_keys() {
             {.range = at_least(1),
              .left_out = "not judged",
              .doc = "how many times the fitted line an error may be, on any level"});
+  keys.integer("support", &Expected::support,
+               {.range = at_least(1), .left_out = "as in `[[check]]`", .doc = "as in `[[check]]`"});
+  keys.text("exact", &Expected::exact, {.doc = "as in `[[check]]`"});
   keys.text("why", &Expected::why, {.doc = "the reason for what is expected, shown in reports"});
   return keys;
 }

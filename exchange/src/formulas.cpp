@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <limits>
 #include <numbers>
 #include <optional>
@@ -37,6 +38,8 @@ std::vector<Constant> constants_of(const Case& study) {
           {"g", study.gravity},
           {"lambda", 2 * mu * fill.poissons_ratio / (1 - 2 * fill.poissons_ratio)},
           {"mu", mu},
+          {"cohesion", fill.cohesion.value_or(0.0)},
+          {"friction_angle", fill.friction_angle.value_or(0.0) * std::numbers::pi / 180.0},
           {"pi", std::numbers::pi}};
 }
 
@@ -203,6 +206,29 @@ std::array<double, 2> Formulas::body_force(const FormulaPoint& at) const {
 
 bool Formulas::has_stress() const {
   return !implementation_->stress.empty();
+}
+
+double value_of(const Case& study, const std::string& formula, const std::string& key) {
+  const auto refuse = [&](const std::string& why) {
+    throw InputError({.where = study.where(key),
+                      .what = fmt::format("{} cannot be understood: {}", key, why),
+                      .given = formula,
+                      .allowed = "a formula of numbers, layers, E, nu, rho, g, lambda, mu, cohesion, friction_angle "
+                                 "[rad], pi and the usual functions, with a finite value",
+                      .remedy = {}});
+  };
+  mu::Parser parser;
+  double value = 0;
+  try {
+    for (const Constant& constant : constants_of(study))
+      parser.DefineConst(constant.name, constant.value);
+    parser.SetExpr(formula);
+    value = parser.Eval();
+  } catch (const mu::Parser::exception_type& error) {
+    refuse(error.GetMsg());
+  }
+  if (!std::isfinite(value)) refuse("it has no finite value");
+  return value;
 }
 
 } // namespace settle::exchange

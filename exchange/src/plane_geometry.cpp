@@ -68,6 +68,25 @@ double layer_area(const Geometry& geometry, int layer) {
   return sum;
 }
 
+double fill_height(const Case& study, int stage, double share) {
+  const std::vector<StageEntry> stages = study.all_stages();
+  double lowest = std::numeric_limits<double>::infinity(), before = -lowest, now = -lowest;
+  for (int number = 1; number <= stage; ++number) {
+    const StageEntry& entry = stages.at(static_cast<std::size_t>(number - 1));
+    if (entry.action != Action::place) continue;
+    before = std::max(before, now);
+    for (const Polygon& polygon : study.geometry.polygons)
+      if (polygon.layer == entry.layer)
+        for (const auto& position : polygon.corners) {
+          lowest = std::min(lowest, position[1]);
+          now = std::max(now, position[1]);
+        }
+  }
+  if (stages.at(static_cast<std::size_t>(stage - 1)).action != Action::place) return now - lowest;
+  before = std::max(before, lowest);
+  return before + share * (now - before) - lowest;
+}
+
 bool contains(const Polygon& polygon, const PlanePoint& point, double slack) {
   return distance_outside(polygon, point) <= slack;
 }

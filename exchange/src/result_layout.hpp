@@ -66,6 +66,7 @@ void for_each_attribute(AnyStage& stage, const Visit& visit) {
 }
 
 inline constexpr const char* support_reactions = "support_reactions";
+inline constexpr const char* failure = "failure";
 
 /// May a dataset be left out?
 bool is_optional(std::string_view name);

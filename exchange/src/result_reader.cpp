@@ -140,6 +140,12 @@ Stage read_stage(const hdf5::Group& group, std::size_t dimension) {
   return stage;
 }
 
+std::optional<Failure> read_failure(const hdf5::Group& root) {
+  if (!root.has(layout::failure)) return {};
+  const hdf5::Group group = root.open_group(layout::failure);
+  return Failure{.stage = static_cast<int>(group.integer_attribute("stage")), .share = group.real_attribute("share")};
+}
+
 std::vector<Stage> read_stages(const hdf5::Group& group, std::size_t dimension) {
   std::vector<Stage> stages;
   const std::size_t count = group.names().size();
@@ -159,6 +165,7 @@ Result read_result(const std::filesystem::path& path) {
   result.provenance = read_provenance(root, result.case_text);
   result.used = read_used(root.open_group("used"));
   result.stages = read_stages(root.open_group("stages"), static_cast<std::size_t>(result.used.dimension));
+  result.failure = read_failure(root);
   return result;
 }
 

@@ -114,10 +114,15 @@ void ResultWriter::write(const Stage& stage) {
   ++impl_->written;
 }
 
-void ResultWriter::finish(double wall_time, int threads) {
+void ResultWriter::finish(double wall_time, int threads, const std::optional<Failure>& failure) {
   const hdf5::Group& root = impl_->file.root();
   root.write_attribute("threads", std::int64_t{threads});
   root.write_attribute("wall_time", wall_time);
+  if (failure) {
+    const hdf5::Group group = root.create_group(layout::failure);
+    group.write_attribute("stage", std::int64_t{failure->stage});
+    group.write_attribute("share", failure->share);
+  }
   root.write_attribute("status", std::string(layout::complete));
   impl_->stages = hdf5::Group({}, root.file(), "/stages");
   impl_->file.close();

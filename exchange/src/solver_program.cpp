@@ -92,18 +92,25 @@ void print_progress(const Case& study, const Stage& stage, LogFormat format) {
             << std::endl;
 }
 
+void print_failure(const Failure& failure, LogFormat format) {
+  if (format == LogFormat::json)
+    return print_event({{"event", "failure"}, {"stage", failure.stage}, {"share", failure.share}});
+  std::cout << fmt::format("no equilibrium any more in stage {}, beyond {:.4f} of it\n", failure.stage, failure.share);
+}
+
 void solve(const SolverProgram& program, const Case& study, const Arguments& arguments) {
   const auto start = std::chrono::steady_clock::now();
   ResultWriter writer(arguments.out, study, program.name, program.used(study));
   XdmfIndex index(arguments.out, study.geometry.dimension);
-  program.solve(study, [&](const Stage& stage) {
+  const std::optional<Failure> failure = program.solve(study, [&](const Stage& stage) {
     writer.write(stage);
     index.add(stage);
     if (!arguments.quiet) print_progress(study, stage, arguments.log());
   });
   writer.finish(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(),
-                program.threads ? program.threads(study) : 1);
+                program.threads ? program.threads(study) : 1, failure);
   index.write();
+  if (failure && !arguments.quiet) print_failure(*failure, arguments.log());
 }
 
 /// A case of a list, with what is set.

@@ -71,6 +71,10 @@ Axis axis_of(Quantity quantity) {
     return {"Base reaction", "", "kN/m", 1e-3};
   case Quantity::mass:
     return {"Mass", "", "kg/m", 1.0};
+  case Quantity::support_reaction:
+    return {"Support reaction", "", "kN/m", 1e-3};
+  case Quantity::failure_height:
+    return {"Height at failure", "", "m", 1.0};
   }
   return {};
 }

@@ -2,6 +2,7 @@
 /// Legs: a solver against the exact solution of what it solves, two solvers, or anything against another code's table.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,7 +19,9 @@ struct LegRequest {
   exchange::Quantity quantity = exchange::Quantity::settlement;
   exchange::Over over = exchange::Over::automatic;
   int stage = 1;
-  std::vector<int> layers{}; ///< first and last layer compared; empty: all
+  std::vector<int> layers{};     ///< first and last layer compared; empty: all
+  int support = 0;               ///< of a support reaction, from 1
+  std::optional<double> exact{}; ///< of a quantity that has one value, where the case states it
 };
 
 /// Which of two names is the value and which the reference: the exact solution refers everything, a table every

@@ -45,7 +45,9 @@ enum class Quantity {
   stress, ///< xx yy zz xy, in 3-D all six
   density,
   base_reaction,
-  mass
+  mass,
+  support_reaction, ///< size of the force that one support exerts
+  failure_height    ///< of the fill, where no equilibrium was found any more
 };
 /// Directions in which a support prevents or prescribes motion.
 enum class Held { x, y, both };
@@ -124,9 +126,9 @@ struct EnumNames<FemLinearSolver> {
 };
 template <>
 struct EnumNames<Quantity> {
-  static constexpr std::array<std::string_view, 9> names{"settlement",     "displacement",  "vertical-stress",
-                                                         "lateral-stress", "shear-stress",  "stress",
-                                                         "density",        "base-reaction", "mass"};
+  static constexpr std::array<std::string_view, 11> names{
+      "settlement",    "displacement", "vertical-stress",  "lateral-stress", "shear-stress", "stress", "density",
+      "base-reaction", "mass",         "support-reaction", "failure-height"};
 };
 template <>
 struct EnumNames<Held> {
@@ -268,6 +270,7 @@ struct Construction {
   int layers = 1;
   Convention convention = Convention::refill;
   std::string material{}; ///< a name among the case's materials
+  bool may_fail = false;  ///< a stage that finds no equilibrium ends the construction, and is what is looked for
 };
 
 struct QuasiStatic {
@@ -341,6 +344,8 @@ struct Check {
   double limit = 0.0;            ///< relative to `scale`
   double at_least = 0.0;         ///< lower end of an expected band, relative to `scale`
   std::optional<double> scale{}; ///< SI units of the quantity; nothing: the same norm of the reference
+  std::optional<int> support{};  ///< of a support reaction: its number in the case, from 1
+  std::string exact{};           ///< formula of the exact value of a quantity that has one value; empty: none
   std::string why{};
 };
 
@@ -356,6 +361,8 @@ struct ExpectedConvergence {
   std::vector<double> band{0.2, 0.5};        ///< accepted below and above the order [-]
   std::optional<double> finest_at_most{};    ///< relative error of the finest level [-]
   std::optional<double> above_fit_at_most{}; ///< largest error of a level over the fitted line [-]
+  std::optional<int> support{};              ///< as of a check
+  std::string exact{};                       ///< as of a check
   std::string why{};
 };
 
@@ -398,6 +405,8 @@ struct Case {
   [[nodiscard]] const Material& fill() const { return materials.at(construction.material); }
   /// The material of a layer. Throws as `fill`.
   [[nodiscard]] const Material& material_of(int layer) const;
+  /// `stages`, or one for each layer in a case that did not come from `read_case`.
+  [[nodiscard]] std::vector<StageEntry> all_stages() const;
   /// How many stages there are: groups of a result, legs of the path of a point.
   [[nodiscard]] int n_stages() const;
   /// The layer of stage 1, 2, ...: that of its entry; 1 for single material points.

@@ -22,7 +22,7 @@ struct FormulaPoint {
 };
 
 /// What formulas may use besides X, Y, t, layer, stage and the case's `let`: layers, E, nu, rho, g, lambda, mu (Lamé),
-/// pi. Not to be used by two threads at once.
+/// cohesion, friction_angle [rad] of the fill, pi. Not to be used by two threads at once.
 class Formulas {
 public:
   /// Throws InputError where a formula cannot be understood: which one, where in it, what is known.
@@ -46,5 +46,9 @@ private:
   struct Implementation;
   std::unique_ptr<Implementation> implementation_;
 };
+
+/// The value of a formula of the same constants and no variables, SI units. Throws InputError, naming the key, where it
+/// has none.
+double value_of(const Case& study, const std::string& formula, const std::string& key);
 
 } // namespace settle::exchange

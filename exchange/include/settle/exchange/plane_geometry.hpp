@@ -24,6 +24,9 @@ double area(const Polygon& polygon);
 /// Area of a layer: the sum over its polygons [m2].
 double layer_area(const Geometry& geometry, int layer);
 
+/// Height of the fill, from the lowest corner of what stages place, when a share of a stage's layer is there [m].
+double fill_height(const Case& study, int stage, double share);
+
 /// Within a convex polygon, or not further than `slack` outside it [m].
 bool contains(const Polygon& polygon, const PlanePoint& point, double slack);
 

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -61,6 +62,13 @@ struct Stage {
   std::vector<double> support_reactions{}; ///< (supports, dim) force on the body [N/m or N]; empty: not known
 };
 
+/// The stage that found no equilibrium, where a case may fail.
+struct Failure {
+  int stage = 0; ///< 1 ... number of stages of the case
+  double share =
+      0; ///< of it that was in equilibrium last, 0 ... 1; above 0, the result holds that state as its last stage
+};
+
 /// The values the solver really used, for the driver to hold against the case.
 struct Used {
   double youngs_modulus = 0;                  ///< [Pa]
@@ -90,6 +98,7 @@ struct Result {
   std::string case_text{}; ///< the case as read, overrides applied, defaults filled in (TOML)
   Used used{};
   std::vector<Stage> stages{};
+  std::optional<Failure> failure{};
 };
 
 /// The values of `/used` as the case states them, to be overwritten by what the solver really used.

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "settle/exchange/result.hpp"
 
@@ -25,8 +26,8 @@ public:
   /// Appends one stage. Throws FileError on a failed write, std::logic_error for vectors whose sizes do not
   /// belong together (a defect of the solver that calls).
   void write(const Stage& stage);
-  /// Writes wall time, thread count and status, closes and renames. Throws FileError.
-  void finish(double wall_time, int threads);
+  /// Writes wall time, thread count, failure and status, closes and renames. Throws FileError.
+  void finish(double wall_time, int threads, const std::optional<Failure>& failure = {});
 
 private:
   struct Impl;

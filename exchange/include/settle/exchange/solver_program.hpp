@@ -4,6 +4,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "settle/exchange/result.hpp"
@@ -26,11 +27,13 @@ struct SolverProgram {
   std::function<void(CLI::App&)> declare_options;
   /// Throws InputError where the case cannot be run; returns a clause on what would be run ("5 layers, 80 cells").
   std::function<std::string(const Case&)> check;
-  /// Runs the case, handing over every stage at its end. Returns what it really used.
+  /// What the solver really uses.
   std::function<Used(const Case&)> used;
   /// How many threads the case is run with; may be empty: one.
   std::function<int(const Case&)> threads;
-  std::function<void(const Case&, const StageSink&)> solve;
+  /// Runs the case, handing over every stage at its end.
+  /// Returns where the body failed, if the case allows that and it did; throws NotConverged if the case does not.
+  std::function<std::optional<Failure>(const Case&, const StageSink&)> solve;
 };
 
 /// Parses the command line, reads and checks the case, runs it, writes the result. Returns the program's exit code.
