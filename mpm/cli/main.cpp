@@ -27,10 +27,6 @@ int main(int argc, char** argv) {
        .check = check,
        .used = settle::mpm::used,
        .threads = settle::mpm::threads,
-       .solve =
-           [](const exchange::Case& study, const exchange::StageSink& on_stage) {
-             settle::mpm::solve(study, on_stage);
-             return std::optional<exchange::Failure>();
-           }},
+       .solve = settle::mpm::solve},
       argc, argv);
 }

@@ -35,7 +35,8 @@ void count(const std::vector<std::int32_t>& cells, std::size_t n_cells, CellTabl
 
 template <class Space>
 void sort_by_cell(const Space& space, Points<Space::dim>& points, CellTable& table) {
-  if (!locate_all(space, points) && !table.begin.empty()) return;
+  const bool moved = locate_all(space, points);
+  if (!moved && !table.begin.empty() && table.begin.back() == points.size()) return;
   count(points.cell, static_cast<std::size_t>(space.n_cells()), table);
   std::vector<std::uint32_t> next(table.begin.begin(), table.begin.end() - 1);
   std::vector<std::uint32_t> order(points.size());

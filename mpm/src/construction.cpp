@@ -91,6 +91,26 @@ Body<Space> empty_body(const exchange::Case& study) {
   return body;
 }
 
+Refill refill_of(const exchange::Case& study, int layer) {
+  Refill refill{.rule = {}, .layer = layer};
+  if (study.construction.convention == exchange::Convention::refill) refill.rule = study.mpm.refill;
+  refill.lower_level = (layer - 1) * study.layer_thickness();
+  refill.design_level = layer * study.layer_thickness();
+  refill.ends_closed = study.mpm.scheme == exchange::Scheme::quasi_static || !study.mpm.explicit_dynamic.hold;
+  return refill;
+}
+
+template <int dim>
+double refilled_mass(const Points<dim>& points, int layer) {
+  double mass = 0;
+  for (std::size_t p = 0; p < points.size(); ++p)
+    if (points.refilled[p] != 0 && points.layer[p] == layer) mass += points.mass[p];
+  return mass;
+}
+
+template double refilled_mass(const Points<2>&, int);
+template double refilled_mass(const Points<3>&, int);
+
 template <class Space>
 double mean_surface(const Body<Space>& body) {
   return body.space.origin()[Space::dim - 1] + total_volume(body.points) / body.space.plan_area();

@@ -6,6 +6,7 @@
 
 #include "settle/exchange/case.hpp"
 #include "settle/mpm/placement.hpp"
+#include "settle/mpm/refill.hpp"
 
 namespace settle::mpm {
 
@@ -18,6 +19,13 @@ Body<Space> empty_body(const exchange::Case& study);
 /// design thickness (`float`), or on the settled surface up to its design level (`level-up`).
 template <class Space>
 LayerPlacement placement_of(const exchange::Case& study, int layer, const Body<Space>& body);
+
+/// How a layer of a column is refilled.
+Refill refill_of(const exchange::Case& study, int layer);
+
+/// Mass of the points added to a layer, counted on its own so that the balance of a stage can be held against it.
+template <int dim>
+double refilled_mass(const Points<dim>& points, int layer);
 
 /// Height of the settled surface: all points' volume over the width, in 3-D over the plan's area [m].
 template <class Space>

@@ -6,6 +6,7 @@
 #include "settle/exchange/errors.hpp"
 #include "settle/mpm/explicit_step.hpp"
 #include "settle/mpm/loading.hpp"
+#include "settle/mpm/nodal_forces.hpp"
 #include "settle/mpm/spaces.hpp"
 #include "settle/mpm/viscous_damping.hpp"
 
@@ -30,14 +31,13 @@ public:
   Run(Body<Space>& body, const StageLoad& load, const exchange::ExplicitDynamic& settings, int threads)
       : body_(body), load_(load), settings_(settings), step_(body, threads), viscous_(settings.damping) {}
 
-  /// One step, not beyond `dt_max`, with the layer's gravity at `factor`. Returns its length [s].
-  double advance(double dt_max, double factor) {
-    step_.scatter(load_.at(factor));
+  /// One step, not beyond `dt_max`. Returns its length [s].
+  double advance(double dt_max, const Gravity& gravity) {
+    step_.scatter(gravity);
     return finish_step(dt_max);
   }
   /// The same, after what is due has been refilled.
-  double refill_and_advance(double dt_max, double factor) {
-    const Gravity gravity = load_.at(factor);
+  double refill_and_advance(double dt_max, const Gravity& gravity) {
     step_.scatter(gravity);
     if (refill_may_be_due(body_, load_.refill, step_.column_heights())) {
       step_.gather();
@@ -58,16 +58,19 @@ public:
   void end() { step_.gather(); }
 
   [[nodiscard]] Errors errors() const {
-    return {.force = sums_.unbalanced / sums_.external, .energy = kinetic_ / std::abs(external_work_)};
+    const double energy = kinetic_ == 0.0 ? 0.0 : kinetic_ / std::abs(external_work_);
+    return {.force = sums_.unbalanced / sums_.external, .energy = energy};
   }
-  [[nodiscard]] StageReport report() const {
+  [[nodiscard]] StageReport report() {
     return {.steps = steps_,
             .linear_solves = 0,
             .out_of_balance = errors().force,
             .base_reaction = sums_.base_reaction,
-            .in_equilibrium = errors().met(settings_)};
+            .in_equilibrium = errors().met(settings_),
+            .reactions = reactions()};
   }
 
+  [[nodiscard]] std::int64_t steps() const { return steps_; }
   [[nodiscard]] bool relaxes() const { return settings_.relaxation == exchange::Relaxation::viscous; }
 
 private:
@@ -80,6 +83,17 @@ private:
   double external_work_ = 0, kinetic_ = 0;
   std::int64_t steps_ = 0;
 
+  /// In the state the body is in now.
+  [[nodiscard]] Eigen::VectorXd reactions() {
+    step_.scatter(load_.at(1.0));
+    Eigen::VectorXd internal(Space::dim * body_.space.n_nodes()), external = internal;
+    for (int n = 0; n < body_.space.n_nodes(); ++n) {
+      const NodeState<Space::dim> node = step_.node(n);
+      internal.segment<Space::dim>(Space::dim * n) = node.internal;
+      external.segment<Space::dim>(Space::dim * n) = node.external;
+    }
+    return support_forces(body_, internal, external);
+  }
   StepEnergy step(double dt) {
     sums_ = step_.accelerate(settings_.damping);
     const StepEnergy energy = step_.displace(dt, dt);
@@ -106,28 +120,29 @@ private:
 
 [[noreturn]] void give_up(const StageLoad& load, const exchange::ExplicitDynamic& settings, const Errors& errors) {
   throw exchange::NotConverged(
-      {.where = fmt::format("stage {}", load.layer),
+      {.where = fmt::format("stage {}", load.number),
        .what = fmt::format("no equilibrium within max_hold_time = {:g} s", settings.max_hold_time),
        .given = fmt::format("force error {:.3g}, energy error {:.3g}", errors.force, errors.energy),
        .allowed = fmt::format("force error {:g}, energy error {:g}", settings.force_error, settings.energy_error),
        .remedy = "raise mpm.explicit.max_hold_time or ramp_time, or use mpm.integration = \"mixed\""});
 }
 
-/// Steps for a given time, refilled after each of them; `factor(time)`: of the layer's gravity.
-template <class Space, class Factor>
-void advance_for(Run<Space>& run, double duration, Factor&& factor) {
+/// Steps for a given time, refilled after each of them; `gravity(time)`: as it acts.
+template <class Space, class GravityAt>
+void advance_for(Run<Space>& run, double duration, GravityAt&& gravity) {
   double time = 0;
-  if (time < duration) time += run.advance(duration, factor(0.0));
+  if (time < duration) time += run.advance(duration, gravity(0.0));
   while (time < duration)
-    time += run.refill_and_advance(duration - time, factor(time));
+    time += run.refill_and_advance(duration - time, gravity(time));
   run.refill();
 }
 
 template <class Space>
 void hold_until_equilibrium(Run<Space>& run, const StageLoad& load, const exchange::ExplicitDynamic& settings) {
+  const Gravity full = load.at(1.0);
   for (double time = 0; time < settings.max_hold_time;) {
     const bool refills = run.relaxes() && time > 0;
-    time += refills ? run.refill_and_advance(settings.max_hold_time, 1.0) : run.advance(settings.max_hold_time, 1.0);
+    time += refills ? run.refill_and_advance(settings.max_hold_time, full) : run.advance(settings.max_hold_time, full);
     if (!run.errors().met(settings)) continue;
     if (run.relaxes()) run.refill();
     if (run.close() == 0) return;
@@ -142,18 +157,29 @@ template <class Space>
 StageReport load_explicit(Body<Space>& body, const StageLoad& load, const exchange::ExplicitDynamic& settings,
                           int threads) {
   Run<Space> run(body, load, settings, threads);
-  if (const auto ramp = settings.ramp_time)
-    advance_for(run, *ramp, [&](double time) { return std::min(1.0, time / *ramp); });
+  if (const auto ramp = settings.ramp_time; ramp && load.grows())
+    advance_for(run, *ramp, [&](double time) { return load.at(std::min(1.0, time / *ramp)); });
   if (settings.hold)
-    advance_for(run, *settings.hold, [](double) { return 1.0; });
+    advance_for(run, *settings.hold, [&](double) { return load.at(1.0); });
   else
     hold_until_equilibrium(run, load, settings);
   run.end();
   return run.report();
 }
 
+template <class Space>
+StageReport fade_explicit(Body<Space>& body, const StageLoad& load, const exchange::ExplicitDynamic& settings,
+                          int threads) {
+  Run<Space> run(body, load, settings, threads);
+  if (const auto ramp = settings.ramp_time)
+    advance_for(run, *ramp, [&](double time) { return load.fading(1.0 - std::min(1.0, time / *ramp)); });
+  run.end();
+  return {.steps = run.steps()};
+}
+
 #define SETTLE_INSTANTIATE(Space)                                                                                      \
-  template StageReport load_explicit(Body<Space>&, const StageLoad&, const exchange::ExplicitDynamic&, int);
+  template StageReport load_explicit(Body<Space>&, const StageLoad&, const exchange::ExplicitDynamic&, int);           \
+  template StageReport fade_explicit(Body<Space>&, const StageLoad&, const exchange::ExplicitDynamic&, int);
 SETTLE_FOR_EVERY_SPACE(SETTLE_INSTANTIATE)
 
 } // namespace settle::mpm

@@ -54,6 +54,22 @@ void place_layer(Body<Space>& body, const LayerPlacement& placement) {
     }
 }
 
+template <int dim>
+double remove_layer(Points<dim>& points, int layer) {
+  std::vector<std::uint32_t> kept;
+  double mass = 0;
+  for (std::uint32_t p = 0; p < points.size(); ++p)
+    if (points.layer[p] == layer)
+      mass += points.mass[p];
+    else
+      kept.push_back(p);
+  points.permute(kept);
+  return mass;
+}
+
+template double remove_layer(Points<2>&, int);
+template double remove_layer(Points<3>&, int);
+
 template <class Space>
 void refill_cell(Body<Space>& body, int cell, int layer) {
   const auto& space = body.space;

@@ -8,7 +8,7 @@ namespace {
 
 template <class T>
 void permute_array(std::vector<T>& values, const std::vector<std::uint32_t>& order) {
-  std::vector<T> permuted(values.size());
+  std::vector<T> permuted(order.size());
   for (std::size_t i = 0; i < order.size(); ++i)
     permuted[i] = values[order[i]];
   values.swap(permuted);

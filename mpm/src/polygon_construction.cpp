@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
+#include "settle/exchange/errors.hpp"
 #include "settle/exchange/plane_geometry.hpp"
 #include "settle/mpm/polygon_fill.hpp"
 #include "settle/mpm/spaces.hpp"
@@ -17,12 +20,23 @@ exchange::PlanePoint plane_point(const Vector<2>& x) {
   return {x[0], x[1]};
 }
 
-/// Is anything held along the upper end of the extent in this direction?
-bool held_at_end(const exchange::Case& study, const exchange::PlaneBox& box, std::size_t axis) {
-  const double end = box.highest[axis], slack = relative_slack * (end - box.lowest[axis]);
+/// Is anything held all along this end of the extent in this direction?
+bool held_at(const exchange::Case& study, double end, std::size_t axis, double slack) {
   return std::any_of(study.supports.begin(), study.supports.end(), [&](const exchange::Support& support) {
     return std::abs(support.from[axis] - end) <= slack && std::abs(support.to[axis] - end) <= slack;
   });
+}
+
+/// Around the polygons and the supports: material may move along a support beyond where it was placed.
+exchange::PlaneBox extent_with_supports(const exchange::Case& study) {
+  exchange::PlaneBox box = exchange::bounding_box(study.geometry);
+  for (const exchange::Support& support : study.supports)
+    for (const auto& end : {support.from, support.to})
+      for (std::size_t axis = 0; axis < 2; ++axis) {
+        box.lowest[axis] = std::min(box.lowest[axis], end[axis]);
+        box.highest[axis] = std::max(box.highest[axis], end[axis]);
+      }
+  return box;
 }
 
 /// Is the node on the support or beyond it?
@@ -45,16 +59,34 @@ void for_each_held(const exchange::Case& study, const Space& space, Action&& act
     }
 }
 
+[[noreturn]] void refuse_inverted(const exchange::Case& study, int layer, const Vector<2>& place,
+                                  const LayerLift::Spot& spot) {
+  throw exchange::InputError(
+      {.where = study.where("construction.convention"),
+       .what =
+           fmt::format("layer {} has no room where ({:.4g}, {:.4g}) is drawn: what lies below has folded, or stands "
+                       "above the level of the layer",
+                       layer, place[0], place[1]),
+       .given = fmt::format("convention = \"{}\", {:.3g} times the area as drawn",
+                            exchange::name_of(study.construction.convention), spot.area_ratio),
+       .allowed = "a settled surface below the layer's level, without folds",
+       .remedy = "use construction.convention = \"float\", thicker layers, or a stiffer material"});
+}
+
 } // namespace
 
 GridBox<2> grid_around(const exchange::Case& study) {
-  const exchange::PlaneBox box = exchange::bounding_box(study.geometry);
-  const double size = study.mpm.element_size;
-  const auto squares = [&](std::size_t axis) {
-    const double needed = (box.highest[axis] - box.lowest[axis]) / size;
-    return static_cast<int>(std::ceil(needed * (1.0 - relative_slack))) + (held_at_end(study, box, axis) ? 0 : 1);
-  };
-  return {.counts = {squares(0), squares(1)}, .size = size, .origin = {box.lowest[0], box.lowest[1]}};
+  const exchange::PlaneBox box = extent_with_supports(study);
+  GridBox<2> grid{.counts = {}, .size = study.mpm.element_size, .origin = {box.lowest[0], box.lowest[1]}};
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    const double extent = box.highest[axis] - box.lowest[axis], slack = relative_slack * extent;
+    grid.counts[axis] = static_cast<int>(std::ceil(extent / grid.size * (1.0 - relative_slack)));
+    if (!held_at(study, box.highest[axis], axis, slack)) ++grid.counts[axis];
+    if (axis != 0 || held_at(study, box.lowest[axis], axis, slack)) continue;
+    ++grid.counts[axis];
+    grid.origin[0] -= grid.size;
+  }
+  return grid;
 }
 
 template <class Space>
@@ -81,24 +113,48 @@ std::vector<FollowingNode> following_nodes(const exchange::Case& study, const Sp
 }
 
 template <class Space>
-void place_polygons(const exchange::Case& study, int layer, Body<Space>& body) {
+void place_polygons(const exchange::Case& study, int layer, const std::vector<int>& present, Design& design,
+                    Body<Space>& body) {
   const Lattice lattice{body.space.origin(), body.space.size(), body.layout.row_points};
+  const LayerLift lift(study, layer, PresentLayers(study, design, body.points, present), lattice.spacing());
+  const double density = study.material_of(layer).density;
   for (const exchange::Polygon& polygon : study.geometry.polygons) {
     if (polygon.layer != layer) continue;
-    for (const Piece& piece : cut_polygon(polygon, lattice))
+    for (const Piece& piece : cut_polygon(polygon, lattice)) {
+      const LayerLift::Spot spot = lift.spot(piece.centroid);
+      if (!(spot.area_ratio > 0.0)) refuse_inverted(study, layer, piece.centroid, spot);
+      const double volume = piece.area * spot.area_ratio;
+      design.note(piece.centroid);
       body.points.add({.layer = layer,
-                       .position = piece.centroid,
-                       .volume = piece.area,
-                       .density = body.density_of(layer),
+                       .position = spot.position,
+                       .volume = volume,
+                       .density = density,
                        .preconsolidation_pressure = body.preconsolidation_of(layer),
-                       .half_lengths = Vector<2>::Constant(0.5 * std::sqrt(piece.area))});
+                       .half_lengths = Vector<2>::Constant(0.5 * std::sqrt(volume))});
+    }
   }
+}
+
+template <class Space>
+std::vector<double> support_reactions(const exchange::Case& study, const Space& space,
+                                      const Eigen::VectorXd& reactions) {
+  std::vector<double> sums(2 * study.supports.size(), 0.0);
+  std::vector<bool> counted(static_cast<std::size_t>(reactions.size()), false);
+  for_each_held(study, space, [&](int node, int direction, const exchange::Support& support) {
+    const auto dof = static_cast<std::size_t>(2 * node + direction);
+    if (counted[dof]) return;
+    counted[dof] = true;
+    const auto number = static_cast<std::size_t>(&support - study.supports.data());
+    sums[2 * number + static_cast<std::size_t>(direction)] += reactions[static_cast<Eigen::Index>(dof)];
+  });
+  return sums;
 }
 
 #define SETTLE_INSTANTIATE(Space)                                                                                      \
   template std::vector<PerAxis<bool, 2>> polygon_supports(const exchange::Case&, const Space&);                        \
   template std::vector<FollowingNode> following_nodes(const exchange::Case&, const Space&);                            \
-  template void place_polygons(const exchange::Case&, int, Body<Space>&);
+  template void place_polygons(const exchange::Case&, int, const std::vector<int>&, Design&, Body<Space>&);            \
+  template std::vector<double> support_reactions(const exchange::Case&, const Space&, const Eigen::VectorXd&);
 SETTLE_FOR_EVERY_PLANE_SPACE(SETTLE_INSTANTIATE)
 
 } // namespace settle::mpm

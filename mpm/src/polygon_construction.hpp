@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "design.hpp"
 #include "settle/exchange/case.hpp"
 #include "settle/mpm/body.hpp"
 #include "settle/mpm/drive.hpp"
@@ -11,8 +12,8 @@
 
 namespace settle::mpm {
 
-/// A grid of squares from the lower left corner of the polygons' extent, with one more square than the extent needs on
-/// the right and above where nothing is held there, for free boundaries to move in.
+/// A grid of squares around polygons and supports, from their lower left corner, with one more square than their extent
+/// needs on the left, on the right and above where nothing is held there, for free boundaries to move in.
 GridBox<2> grid_around(const exchange::Case& study);
 
 /// Which nodes the case's supports hold: those on the support and beyond it, seen from the body, up to a square's
@@ -24,9 +25,17 @@ std::vector<PerAxis<bool, 2>> polygon_supports(const exchange::Case& study, cons
 template <class Space>
 std::vector<FollowingNode> following_nodes(const exchange::Case& study, const Space& space);
 
-/// Places the polygons of a layer: the lattice of the body's point layout, cut at their edges. The body has to be
-/// sorted afterwards.
+/// Places the polygons of a layer, by the case's convention on the layers that are present (the one placed last comes
+/// last): the lattice of the body's point layout, cut at their edges. The body has to be sorted afterwards. Throws
+/// exchange::InputError where a layer has no room.
 template <class Space>
-void place_polygons(const exchange::Case& study, int layer, Body<Space>& body);
+void place_polygons(const exchange::Case& study, int layer, const std::vector<int>& present, Design& design,
+                    Body<Space>& body);
+
+/// Forces of each support on the body, x and y, from those at all nodes (2 * nodes) [N/m]. Where two supports hold a
+/// node in one direction, it counts for the first.
+template <class Space>
+std::vector<double> support_reactions(const exchange::Case& study, const Space& space,
+                                      const Eigen::VectorXd& reactions);
 
 } // namespace settle::mpm

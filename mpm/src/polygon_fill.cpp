@@ -124,7 +124,7 @@ std::vector<Piece> pieces_of_cell(const exchange::Polygon& polygon, const Square
 } // namespace
 
 std::vector<Piece> cut_polygon(const exchange::Polygon& polygon, const Lattice& lattice) {
-  const double spacing = lattice.size / lattice.per_side;
+  const double spacing = lattice.spacing();
   std::vector<Piece> pieces, slivers;
   for (const Square& cell : cells_around(polygon, lattice)) {
     const Piece whole = part_in_square(polygon, cell.corner, cell.size);

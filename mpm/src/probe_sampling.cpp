@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scattered_sampling.hpp"
 #include "settle/exchange/probe_points.hpp"
+#include "settle/mpm/scattered_sampling.hpp"
 #include "stage_record.hpp"
 
 namespace settle::mpm {
@@ -54,17 +54,15 @@ SampledValues<dim> interpolate(const std::vector<Row<dim>>& rows, double height)
   return (1.0 - share) * below->mean + share * above->mean;
 }
 
+/// `placed`: where the probe's material point was placed [m].
 template <int dim>
-void add(const exchange::ProbePoint& probe, double placed, const SampledValues<dim>& values,
+void add(const exchange::ProbePoint& probe, const Vector<dim>& placed, const SampledValues<dim>& values,
          exchange::ProbeSamples& samples) {
-  const auto append_place = [&](std::vector<double>& places, double height) {
-    places.push_back(probe.x);
-    if constexpr (dim == 3) places.push_back(probe.y);
-    places.push_back(height);
-  };
   samples.layer.push_back(probe.layer);
-  append_place(samples.design_position, probe.design_height);
-  append_place(samples.placed_position, placed);
+  samples.design_position.push_back(probe.x);
+  if constexpr (dim == 3) samples.design_position.push_back(probe.y);
+  samples.design_position.push_back(probe.design_height);
+  samples.placed_position.insert(samples.placed_position.end(), placed.begin(), placed.end());
   samples.displacement.insert(samples.displacement.end(), values.begin(), values.begin() + dim);
   samples.stress.insert(samples.stress.end(), values.begin() + dim, values.end());
   samples.stress.resize(recorded_stress_size * samples.layer.size(), 0.0); // in the plane none with z
@@ -80,21 +78,11 @@ exchange::ProbeSamples sample_line(const exchange::Case& study, const exchange::
     if (probe.layer > static_cast<int>(placements.size())) break;
     const LayerPlacement& placement = placements[static_cast<std::size_t>(probe.layer - 1)];
     if (probe.layer != rows_layer) rows = rows_of_layer(points, rows_layer = probe.layer, 1e-6 * placement.thickness);
-    const double placed = placement.base + probe.relative_height * placement.thickness;
-    const SampledValues<dim> values = interpolate(rows, placed);
-    add<dim>(probe, placed, values, samples);
-  }
-  return samples;
-}
-
-/// Across polygons: from the points of the probe's own layer, which are placed where they are drawn.
-exchange::ProbeSamples sample_across(const exchange::Case& study, const exchange::Probes& line, const Points<2>& points,
-                                     int layers_placed) {
-  exchange::ProbeSamples samples;
-  for (const auto& probe : exchange::probe_points(study, line)) {
-    if (probe.layer > layers_placed) break;
-    const SampledValues<2> values = sample_at(points, own_points(points, probe.layer), {probe.x, probe.design_height});
-    add<2>(probe, probe.design_height, values, samples);
+    Vector<dim> placed;
+    placed[0] = probe.x;
+    if constexpr (dim == 3) placed[1] = probe.y;
+    placed[dim - 1] = placement.base + probe.relative_height * placement.thickness;
+    add<dim>(probe, placed, interpolate(rows, placed[dim - 1]), samples);
   }
   return samples;
 }
@@ -105,14 +93,8 @@ template <int dim>
 std::map<std::string, exchange::ProbeSamples> sample_probes(const exchange::Case& study, const Points<dim>& points,
                                                             const std::vector<LayerPlacement>& placements) {
   std::map<std::string, exchange::ProbeSamples> samples;
-  for (const auto& [name, line] : study.probes) {
-    if constexpr (dim == 2)
-      if (study.geometry.drawn()) {
-        samples[name] = sample_across(study, line, points, static_cast<int>(placements.size()));
-        continue;
-      }
+  for (const auto& [name, line] : study.probes)
     samples[name] = sample_line(study, line, points, placements);
-  }
   return samples;
 }
 
@@ -120,5 +102,28 @@ template std::map<std::string, exchange::ProbeSamples> sample_probes(const excha
                                                                      const std::vector<LayerPlacement>&);
 template std::map<std::string, exchange::ProbeSamples> sample_probes(const exchange::Case&, const Points<3>&,
                                                                      const std::vector<LayerPlacement>&);
+
+std::map<std::string, exchange::ProbeSamples> sample_drawn_probes(const exchange::Case& study, const Points<2>& points,
+                                                                  const Design& design,
+                                                                  const std::vector<int>& present) {
+  std::map<std::string, exchange::ProbeSamples> samples;
+  std::map<int, Scattered> layers;
+  for (const int layer : present)
+    layers[layer] = design.layer(points, layer);
+  for (const auto& [name, line] : study.probes) {
+    exchange::ProbeSamples& own = samples[name];
+    for (const auto& probe : exchange::probe_points(study, line)) {
+      const auto layer = layers.find(probe.layer);
+      if (layer == layers.end()) continue;
+      const Vector<2> place(probe.x, probe.design_height);
+      const PlaneFit fit = fit_plane(layer->second, points_of_a_fit, place);
+      const Vector<2> moved_before = fit.sum([&](std::size_t p) -> Vector<2> {
+        return Vector<2>(points.placed[0][p], points.placed[1][p]) - design.place_of(points.id[p]);
+      });
+      add<2>(probe, place + moved_before, fit.sum([&](std::size_t p) { return sampled_values(points, p); }), own);
+    }
+  }
+  return samples;
+}
 
 } // namespace settle::mpm

@@ -18,7 +18,7 @@ constexpr int max_closing_increments = 200;
 [[noreturn]] void give_up(const StageLoad& load, const Gravity& gravity, const IncrementReport& report,
                           double carried) {
   throw exchange::NotConverged(
-      {.where = fmt::format("stage {}, gravity factor {:g} of its layer", load.layer, gravity.factor),
+      {.where = fmt::format("stage {}, gravity factor {:g} of layer {}", load.number, gravity.factor, load.layer),
        .what = fmt::format("the quasi-static increment did not converge, even in 64 parts; {:.3f} of it is carried",
                            carried),
        .given = fmt::format("relative out-of-balance force by iteration: {:.2e}", fmt::join(report.residuals, ", ")),
@@ -43,7 +43,7 @@ template <class Space>
 void require_touched(const Body<Space>& body, const StageLoad& load, const Eigen::VectorXd& support_motion) {
   if (!support_motion.any() || is_touched(body, support_motion)) return;
   throw exchange::NotConverged(
-      {.where = fmt::format("stage {}", load.layer),
+      {.where = fmt::format("stage {}", load.number),
        .what = "the supports that move have lost the body: no element at their nodes has a point left in it",
        .given = fmt::format("a motion of up to {:g} m to go, elements of {:g} m",
                             support_motion.lpNorm<Eigen::Infinity>(), body.space.size()),
@@ -51,28 +51,32 @@ void require_touched(const Body<Space>& body, const StageLoad& load, const Eigen
        .remedy = "take larger elements (mpm.element_size) or a smaller motion"});
 }
 
-/// Brings the body into equilibrium at this gravity, in halved parts where Newton fails on the whole, while supports
-/// move by `support_motion`.
+/// Balances a share of what is out of balance at this gravity, in halved parts where Newton fails on the whole, while
+/// supports move by `support_motion`. Returns how much of that share could be balanced: 1, or less where the stage may
+/// fail.
 template <class Space>
-void balance(Body<Space>& body, QuasiStaticStep<Space>& step, const StageLoad& load, const Gravity& gravity,
-             StageReport& stage, Eigen::VectorXd support_motion = {}) {
-  double fraction = 1.0, carried = 0.0;
+double balance(Body<Space>& body, QuasiStaticStep<Space>& step, const StageLoad& load, const Gravity& gravity,
+               StageReport& stage, double share = 1.0, Eigen::VectorXd support_motion = {}) {
+  double part = share, carried = 0.0;
   while (true) {
     require_touched(body, load, support_motion);
-    const IncrementReport report = step.advance(body, gravity, fraction, fraction * support_motion);
+    IncrementReport report = step.advance(body, gravity, part, part / share * support_motion);
     stage.linear_solves += report.linear_solves;
     if (!report.converged) {
-      fraction *= 0.5;
-      if (fraction < smallest_fraction) give_up(load, gravity, report, carried);
-      continue;
+      part *= 0.5;
+      if (part >= smallest_fraction * share) continue;
+      if (load.may_fail) return carried;
+      give_up(load, gravity, report, carried);
     }
     ++stage.steps;
     stage.out_of_balance = report.out_of_balance;
     stage.base_reaction = report.base_reaction;
-    if (fraction >= 1.0) return;
-    carried += (1.0 - carried) * fraction;
-    support_motion *= 1.0 - fraction; // what is left of it
-    fraction = std::min(1.0, 2.0 * fraction);
+    stage.reactions = std::move(report.reactions);
+    if (part >= share) return 1.0;
+    carried += (1.0 - carried) * part / share;
+    support_motion *= 1.0 - part / share; // what is left of it
+    share = (share - part) / (1.0 - part);
+    part = std::min(share, 2.0 * part);
   }
 }
 
@@ -82,18 +86,26 @@ template <class Space>
 StageReport load_quasi_static(Body<Space>& body, const StageLoad& load, const exchange::QuasiStatic& settings) {
   QuasiStaticStep<Space> step(settings.residual, settings.linear_solver.value_or(exchange::MpmLinearSolver::direct));
   StageReport stage;
-  const auto share = [&](int increment) { return static_cast<double>(increment) / settings.increments; };
-  for (int increment = 1; increment <= settings.increments; ++increment) {
+  const bool releases = load.action == exchange::Action::remove;
+  const int increments = load.grows() || releases ? settings.increments : 1;
+  const auto share = [&](int increment) { return static_cast<double>(increment) / increments; };
+  for (int increment = 1; increment <= increments; ++increment) {
     Eigen::VectorXd support_motion;
     if (load.drive != nullptr)
       support_motion = load.drive->support_motion(load.layer, share(increment - 1), share(increment),
                                                   Space::dim * body.space.n_nodes());
-    balance(body, step, load, load.at(share(increment)), stage, std::move(support_motion));
-    if (increment < settings.increments) refill_where_due(body, load.refill);
+    const double of_rest = releases ? 1.0 / (increments + 1 - increment) : 1.0;
+    const double carried =
+        balance(body, step, load, load.at(share(increment)), stage, of_rest, std::move(support_motion));
+    if (carried < 1.0) {
+      stage.failed_at = (increment - 1 + carried) / increments;
+      return stage;
+    }
+    if (increment < increments) refill_where_due(body, load.refill);
   }
   for (int k = 0; close_gap(body, load.refill) > 0; ++k) {
     if (k == max_closing_increments)
-      throw exchange::NotConverged({.where = fmt::format("stage {}", load.layer),
+      throw exchange::NotConverged({.where = fmt::format("stage {}", load.number),
                                     .what = "refilling does not come to an end",
                                     .given = fmt::format("{} increments at full gravity", k),
                                     .allowed = "",

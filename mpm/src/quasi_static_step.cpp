@@ -273,6 +273,7 @@ IncrementReport QuasiStaticStep<Space>::advance(Body<Space>& body, const Gravity
   }
   if (!report.converged) return report;
   report.base_reaction = base_reaction(body, internal, external);
+  report.reactions = support_forces(body, internal, external);
   report.largest_displacement = displacement.template lpNorm<Eigen::Infinity>();
   move_points(body, displacement);
   body.sort();

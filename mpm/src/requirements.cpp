@@ -13,6 +13,7 @@
 #include "settle/exchange/errors.hpp"
 #include "settle/exchange/fitting_size.hpp"
 #include "settle/mpm/material.hpp"
+#include "stage_requirements.hpp"
 
 namespace settle::mpm {
 
@@ -196,12 +197,7 @@ void require_polygons_that_fit(const exchange::Case& study) {
                                 .given = fmt::format("mpm.element = {}", quoted(study.mpm.element)),
                                 .allowed = quoted(exchange::MpmElement::quadrilateral),
                                 .remedy = "set mpm.element = \"quadrilateral\""});
-  if (study.construction.convention != exchange::Convention::drop && study.construction.layers > 1)
-    throw exchange::InputError({.where = study.where("construction.convention"),
-                                .what = "layers of polygons are placed where they are drawn",
-                                .given = quoted(study.construction.convention),
-                                .allowed = quoted(exchange::Convention::drop),
-                                .remedy = {}});
+  require_stages_that_fit(study);
   if (study.mpm.scheme == exchange::Scheme::quasi_static) return;
   for (std::size_t number = 0; number < study.supports.size(); ++number) {
     if (study.supports[number].motion == exchange::SupportMotion::none) continue;
@@ -214,26 +210,10 @@ void require_polygons_that_fit(const exchange::Case& study) {
   }
 }
 
-/// What cases may ask for and this program does not do.
-void require_known(const exchange::Case& study) {
-  const auto refuse = [&](const std::string& key, std::string what, std::string given, std::string allowed) {
-    throw exchange::InputError({.where = study.where(key),
-                                .what = std::move(what),
-                                .given = std::move(given),
-                                .allowed = std::move(allowed),
-                                .remedy = {}});
-  };
-  for (std::size_t number = 0; number < study.stages.size(); ++number)
-    if (study.stages[number].action != exchange::Action::place)
-      refuse(fmt::format("stage.{}.action", number), "settle-mpm places layers and does nothing else",
-             fmt::format("\"{}\"", exchange::name_of(study.stages[number].action)), "\"place\"");
-}
-
 } // namespace
 
 void require_solvable(const exchange::Case& study) {
   if (study.geometry.shape == exchange::Shape::point) return require_point_that_fits(study);
-  require_known(study);
   require_element_of_the_dimension(study);
   require_points_that_fit(study);
   require_basis_of_the_element(study);

@@ -1,21 +1,11 @@
-#include "scattered_sampling.hpp"
+#include "settle/mpm/scattered_sampling.hpp"
 
 #include <algorithm>
-#include <numeric>
+#include <utility>
 
 #include <Eigen/QR>
 
 namespace settle::mpm {
-namespace {
-
-/// Enough for a plane in any arrangement of a lattice, few enough to stay local.
-constexpr std::size_t points_of_a_fit = 12;
-
-Vector<2> placed_position(const Points<2>& points, std::size_t p) {
-  return {points.placed[0][p], points.placed[1][p]};
-}
-
-} // namespace
 
 template <int dim>
 SampledValues<dim> sampled_values(const Points<dim>& points, std::size_t p) {
@@ -30,24 +20,27 @@ SampledValues<dim> sampled_values(const Points<dim>& points, std::size_t p) {
 template SampledValues<2> sampled_values(const Points<2>&, std::size_t);
 template SampledValues<3> sampled_values(const Points<3>&, std::size_t);
 
-SampledValues<2> sample_at(const Points<2>& points, const std::vector<std::size_t>& among, const Vector<2>& placed) {
-  std::vector<std::size_t> nearest = among;
-  const auto distance = [&](std::size_t p) { return (placed_position(points, p) - placed).norm(); };
-  const std::size_t count = std::min(points_of_a_fit, nearest.size());
-  std::partial_sort(nearest.begin(), nearest.begin() + static_cast<std::ptrdiff_t>(count), nearest.end(),
-                    [&](std::size_t a, std::size_t b) { return distance(a) < distance(b); });
+PlaneFit fit_plane(const Scattered& among, std::size_t count, const Vector<2>& place) {
+  std::vector<std::pair<double, std::size_t>> nearest;
+  for (std::size_t i = 0; i < among.points.size(); ++i)
+    nearest.emplace_back((among.places[i] - place).squaredNorm(), i);
+  count = std::min(count, nearest.size());
+  std::partial_sort(nearest.begin(), nearest.begin() + static_cast<std::ptrdiff_t>(count), nearest.end());
   nearest.resize(count);
-  const double reach = 1.1 * distance(nearest.back());
-  Eigen::MatrixXd plane(count, 3), values(count, 6);
+  const double reach = 1.1 * std::sqrt(nearest.back().first);
+  PlaneFit fit;
+  Eigen::MatrixXd plane(count, 3);
   for (Eigen::Index i = 0; i < plane.rows(); ++i) {
-    const std::size_t p = nearest[static_cast<std::size_t>(i)];
-    const Vector<2> offset = (placed_position(points, p) - placed) / reach;
+    const std::size_t which = nearest[static_cast<std::size_t>(i)].second;
+    const Vector<2> offset = (among.places[which] - place) / reach;
     const double weight = 1.0 - offset.squaredNorm();
     plane.row(i) << weight, weight * offset[0], weight * offset[1];
-    values.row(i) = weight * sampled_values(points, p).transpose();
+    fit.points.push_back(among.points[which]);
   }
   // the least norm where the points lie on a line: no slope across it
-  return plane.completeOrthogonalDecomposition().solve(values).row(0).transpose();
+  fit.weights = plane.completeOrthogonalDecomposition().pseudoInverse().row(0).transpose();
+  fit.weights = fit.weights.cwiseProduct(plane.col(0));
+  return fit;
 }
 
 } // namespace settle::mpm

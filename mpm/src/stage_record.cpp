@@ -1,6 +1,8 @@
 #include "stage_record.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "construction.hpp"
 #include "settle/mpm/spaces.hpp"
@@ -32,6 +34,13 @@ exchange::SamplePoints sample_points(const Points<dim>& points) {
 
 template exchange::SamplePoints sample_points(const Points<2>&);
 template exchange::SamplePoints sample_points(const Points<3>&);
+
+double highest_surface(const Points<2>& points) {
+  double highest = -std::numeric_limits<double>::infinity();
+  for (std::size_t p = 0; p < points.size(); ++p)
+    highest = std::max(highest, points.position[1][p] + 0.5 * std::sqrt(points.volume[p]));
+  return highest;
+}
 
 template <class Space>
 double surface_height(const Body<Space>& body, exchange::Convention convention) {

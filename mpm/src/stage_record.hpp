@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "design.hpp"
 #include "settle/exchange/result.hpp"
 #include "settle/mpm/loading.hpp"
 #include "settle/mpm/placement.hpp"
@@ -19,13 +20,22 @@ exchange::SamplePoints sample_points(const Points<dim>& points);
 
 /// The case's probes at this stage: linear in placed height between the rows of the layer's own, not refilled points
 /// (all points of a layer at one placed height make a row), continued linearly to the layer's two ends. `placements`
-/// holds the layers placed so far. Across polygons: scattered_sampling.hpp.
+/// holds the layers placed so far.
 template <int dim>
 std::map<std::string, exchange::ProbeSamples> sample_probes(const exchange::Case& study, const Points<dim>& points,
                                                             const std::vector<LayerPlacement>& placements);
 
-/// Height of the surface [m]: points' volume over the width, in 3-D over the plan's area; for `drop`, where there may
-/// be gaps, the highest point plus half the height of its row.
+/// The case's probes across polygons of the layers that are present: planes through the nearest points of the layer, by
+/// their places in the design.
+std::map<std::string, exchange::ProbeSamples> sample_drawn_probes(const exchange::Case& study, const Points<2>& points,
+                                                                  const Design& design,
+                                                                  const std::vector<int>& present);
+
+/// Of what is drawn: the highest point plus half the side of its square [m].
+double highest_surface(const Points<2>& points);
+
+/// Height of a column's surface [m]: points' volume over the width, in 3-D over the plan's area; for `drop`, where
+/// there may be gaps, the highest point plus half the height of its row.
 template <class Space>
 double surface_height(const Body<Space>& body, exchange::Convention convention);
 

@@ -27,7 +27,8 @@ dimension = 3
 youngs_modulus = 20e6
 poissons_ratio = 0.3
 density = 1800.0
-)" + law + R"(
+)" + law +
+         R"(
 [construction]
 layers = 1
 convention = "drop"
@@ -38,8 +39,9 @@ stress = [-100e3, -100e3, -100e3, 0.0, 0.0, 0.0]
 }
 
 const std::string sand = "law = 'mohr-coulomb'\ncohesion = 0.0\nfriction_angle = 30.0\n";
-const std::string clay = "law = 'cam-clay'\ncritical_state_slope = 1.2\ncompression_index = 0.2\nswelling_index = 0.04\n"
-                         "void_ratio = 1.0\npreconsolidation_pressure = 100e3\n";
+const std::string clay =
+    "law = 'cam-clay'\ncritical_state_slope = 1.2\ncompression_index = 0.2\nswelling_index = 0.04\n"
+    "void_ratio = 1.0\npreconsolidation_pressure = 100e3\n";
 
 /// The sides keep their stress while the axis is shortened.
 std::string triaxial(int point, double strain, int increments) {
@@ -70,8 +72,8 @@ TEST(PointPath, ATriaxialTestEndsAtTheStrengthOfTheSand) {
 }
 
 TEST(PointPath, StrainsOfAPathAreThoseOfATensor) {
-  const auto stages = stages_of(sample_text(
-      "law = 'rate'\n", "[[path]]\nincrement = [0.0, 0.0, 0.0, 1e-3, 0.0, 0.0]\nincrements = 3\n"));
+  const auto stages = stages_of(
+      sample_text("law = 'rate'\n", "[[path]]\nincrement = [0.0, 0.0, 0.0, 1e-3, 0.0, 0.0]\nincrements = 3\n"));
   const double shear_modulus = 20e6 / 2.6;
   EXPECT_NEAR(stages[0].points.stress[3], 2e-3 * shear_modulus, 1e-10 * shear_modulus);
   EXPECT_TRUE(stages[0].points.plastic_strain.empty());
@@ -80,8 +82,7 @@ TEST(PointPath, StrainsOfAPathAreThoseOfATensor) {
 TEST(PointPath, EveryPointGoesItsOwnWayAndALegIsAStage) {
   const std::string up = "[[path]]\npoint = 2\nincrement = [-1e-3, -1e-3, -1e-3, 0.0, 0.0, 0.0]\n";
   const std::string back = "[[path]]\npoint = 2\nincrement = [1e-3, 1e-3, 1e-3, 0.0, 0.0, 0.0]\n";
-  const auto stages =
-      stages_of(sample_text(clay, triaxial(1, 0.01, 5) + up + triaxial(1, 0.01, 5) + back));
+  const auto stages = stages_of(sample_text(clay, triaxial(1, 0.01, 5) + up + triaxial(1, 0.01, 5) + back));
   ASSERT_EQ(stages.size(), 2U);
   const double swelling = std::exp(2.0 / 0.04 * 3e-3), compression = std::exp(2.0 / 0.2 * 3e-3);
   EXPECT_NEAR(stages[0].points.stress[6] / (-100e3 * compression), 1.0, 1e-10);

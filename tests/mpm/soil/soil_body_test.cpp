@@ -71,8 +71,8 @@ double mean_settlement(const exchange::Stage& stage, int layer) {
 
 TEST(LayersOfSoil, EveryLayerHasItsOwnDensityAndStiffness) {
   const std::string law = "law = 'rate'\n";
-  const auto stages = stages_of(
-      block_text(material("fill", law, 10e6, 0.0, 1500.0) + material("upper", law, 100e6, 0.0, 2000.0), 2));
+  const auto stages =
+      stages_of(block_text(material("fill", law, 10e6, 0.0, 1500.0) + material("upper", law, 100e6, 0.0, 2000.0), 2));
   ASSERT_EQ(stages.size(), 2U);
   EXPECT_NEAR(stages[1].mass, 0.5 * 1500.0 + 0.5 * 2000.0, 1e-9 * 1750.0);
   EXPECT_NEAR(mean_stress(stages[1], 2, 1), -0.25 * 2000.0 * 10.0, 5e-3 * 5e3); // settled a little into cells below
@@ -89,9 +89,8 @@ const std::string sand = "law = 'mohr-coulomb'\ncohesion = 1.0\nfriction_angle =
 TEST(LayersOfSoil, SandBetweenWallsIsAtItsActiveStateInBothSchemesAndIntegrations) {
   const std::string text = block_text(material("fill", sand, 10e6, 0.2, 1800.0));
   for (const char* integration : {"mixed", "points"})
-    for (const std::vector<std::string> scheme :
-         {std::vector<std::string>{"mpm.scheme=quasi-static"},
-          {"mpm.scheme=explicit", "mpm.explicit.relaxation=viscous"}}) {
+    for (const std::vector<std::string> scheme : {std::vector<std::string>{"mpm.scheme=quasi-static"},
+                                                  {"mpm.scheme=explicit", "mpm.explicit.relaxation=viscous"}}) {
       std::vector<std::string> overrides = scheme;
       overrides.push_back(std::string("mpm.integration=") + integration);
       const auto stages = stages_of(text, overrides);
@@ -130,6 +129,18 @@ TEST(LayersOfSoil, WhatCannotStandSaysAtWhichStageAndShareItFails) {
   } catch (const exchange::NotConverged& error) {
     EXPECT_THAT(error.what(), testing::AllOf(HasSubstr("stage 1"), HasSubstr("of it is carried")));
   }
+}
+
+TEST(LayersOfSoil, WhereACaseMayFailTheShareThatStoodIsHandedOver) {
+  std::string text = block_text(material("fill", "law = 'tresca'\ncohesion = 100.0\n", 10e6, 0.4, 2000.0));
+  text = text.substr(0, text.rfind("[[support]]"));
+  std::vector<exchange::Stage> stages;
+  const auto failure = solve(exchange::parse_case(text, "block.toml", {"construction.may_fail=true"}),
+                             [&](const auto& stage) { stages.push_back(stage); });
+  ASSERT_TRUE(failure);
+  EXPECT_EQ(failure->stage, 1);
+  EXPECT_LT(failure->share, 0.5);
+  EXPECT_EQ(stages.size(), failure->share > 0.0 ? 1U : 0U);
 }
 
 TEST(LayersOfSoil, WithoutMoreThanOneLawNothingIsKeptForSoils) {

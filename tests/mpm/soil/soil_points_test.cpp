@@ -26,8 +26,7 @@ const Lame lame = Lame::from(20e6, 0.3);
 std::vector<Model> models() {
   std::vector<Model> all{
       {"tresca", soil::Tresca{.lame = lame, .cohesion = 30e3}, exchange::Law::tresca},
-      {"mohr_coulomb",
-       soil::MohrCoulomb{.lame = lame, .cohesion = 20e3, .friction_angle = 0.5, .dilation_angle = 0.1},
+      {"mohr_coulomb", soil::MohrCoulomb{.lame = lame, .cohesion = 20e3, .friction_angle = 0.5, .dilation_angle = 0.1},
        exchange::Law::mohr_coulomb},
       {"drucker_prager",
        soil::DruckerPrager{.lame = lame, .cohesion = 20e3, .friction_angle = 0.5, .dilation_angle = 0.1},
@@ -41,8 +40,7 @@ std::vector<Model> models() {
                      .preconsolidation_pressure = 60e3,
                      .attraction = 30e3},
        exchange::Law::cam_clay},
-      {"stress_dependent",
-       soil::StressDependent{.lame = lame, .stiffness_exponent = 0.5, .reference_pressure = 50e3},
+      {"stress_dependent", soil::StressDependent{.lame = lame, .stiffness_exponent = 0.5, .reference_pressure = 50e3},
        exchange::Law::stress_dependent},
       {"rate_in_layers", soil::Elastic{lame}, exchange::Law::rate}};
   const auto n = all.size();

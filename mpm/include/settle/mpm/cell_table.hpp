@@ -22,8 +22,8 @@ struct CellTable {
   [[nodiscard]] bool is_empty(int cell) const { return !has_points(cell, cell + 1); }
 };
 
-/// Finds the cell of every point and, where a point is new or has changed its cell, sorts the points by cell (counting
-/// sort, stable: the same points give the same order). Throws PointLost.
+/// Finds the cell of every point and, where a point is new, gone or has changed its cell, sorts the points by cell
+/// (counting sort, stable: the same points give the same order). Throws PointLost.
 template <class Space>
 void sort_by_cell(const Space& space, Points<Space::dim>& points, CellTable& table);
 

@@ -22,4 +22,16 @@ double base_reaction(const Body<Space>& body, const Eigen::VectorXd& internal, c
   return reaction;
 }
 
+/// What each support does to the body, internal less external force where a node is held, zero elsewhere;
+/// (dim * nodes) [N/m] in 2-D.
+template <class Space>
+Eigen::VectorXd support_forces(const Body<Space>& body, const Eigen::VectorXd& internal,
+                               const Eigen::VectorXd& external) {
+  constexpr std::size_t dim = Space::dim;
+  Eigen::VectorXd forces = internal - external;
+  for (std::size_t dof = 0; dof < dim * body.fixed.size(); ++dof)
+    if (!body.fixed[dof / dim][dof % dim]) forces[static_cast<Eigen::Index>(dof)] = 0.0;
+  return forces;
+}
+
 } // namespace settle::mpm

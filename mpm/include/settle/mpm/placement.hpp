@@ -18,6 +18,11 @@ struct LayerPlacement {
 template <class Space>
 void place_layer(Body<Space>& body, const LayerPlacement& placement);
 
+/// Takes the points of a layer away; the rest keeps its order. Returns their mass [kg/m in 2-D]. The body has to be
+/// sorted afterwards.
+template <int dim>
+double remove_layer(Points<dim>& points, int layer);
+
 /// Places the initial points of one cell, marked as refilled.
 template <class Space>
 void refill_cell(Body<Space>& body, int cell, int layer);

@@ -89,7 +89,7 @@ struct Points {
 
   /// Appends a stress-free point at rest.
   void add(const NewPoint<dim>& point);
-  /// Brings the points into the order given: new point i is old point order[i].
+  /// Brings the points into the order given: new point i is old point order[i]. Points that are not in it are gone.
   void permute(const std::vector<std::uint32_t>& order);
 };
 

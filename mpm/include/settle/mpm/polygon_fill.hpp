@@ -16,6 +16,8 @@ struct Lattice {
   Vector<2> origin;
   double size = 0;
   int per_side = 1;
+
+  [[nodiscard]] double spacing() const { return size / per_side; } ///< of points [m]
 };
 
 /// What a material point stands for.

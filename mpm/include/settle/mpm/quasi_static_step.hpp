@@ -18,6 +18,7 @@ struct IncrementReport {
   double base_reaction = 0;        ///< positive upward [N/m] in 2-D
   double largest_displacement = 0; ///< of a node in this increment [m]
   std::vector<double> residuals;   ///< out of balance before each linear solve and at the end
+  Eigen::VectorXd reactions;       ///< of the supports on the body, (dim * nodes), zero where free [N/m] in 2-D
 };
 
 /// Equilibrium at the end of the increment, on the grid as it deforms in the increment (updated Lagrangian): for every

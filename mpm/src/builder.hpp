@@ -1,0 +1,166 @@
+/// \file
+/// A construction in progress: what the stages of a case do to a body.
+#pragma once
+
+#include <algorithm>
+#include <chrono>
+#include <memory>
+#include <vector>
+
+#include "construction.hpp"
+#include "ground.hpp"
+#include "polygon_construction.hpp"
+#include "settle/mpm/loading.hpp"
+#include "stage_record.hpp"
+
+namespace settle::mpm {
+
+template <class Space>
+class Builder {
+public:
+  static constexpr int dim = Space::dim;
+
+  /// The case outlives its construction.
+  explicit Builder(const exchange::Case& study)
+      : study_(study), body_(empty_body<Space>(study)), drive_(drive_of(study, body_.space)) {}
+
+  /// What has become of a stage.
+  struct Built {
+    exchange::Stage stage{};
+    std::optional<double> failed_at{}; ///< as in StageReport
+  };
+
+  /// Stage 1, 2, ... from what the one before has left.
+  Built build(int number) {
+    const auto start = std::chrono::steady_clock::now();
+    StageLoad stage_load = load_of(number);
+    exchange::Stage stage;
+    stage.layer = stage_load.layer;
+    begin(study_.stages[static_cast<std::size_t>(number - 1)], stage_load, stage);
+    const StageReport report = load(stage_load);
+    if (stage_load.action == exchange::Action::ground) forget_displacements(body_.points);
+    record(report, stage);
+    stage.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return {std::move(stage), report.failed_at};
+  }
+
+private:
+  const exchange::Case& study_;
+  Body<Space> body_;
+  std::unique_ptr<const Drive> drive_;
+  std::vector<LayerPlacement> placements_; ///< of a column's layers
+  std::vector<int> present_;               ///< layers that are drawn and there, the one placed last comes last
+  Design design_;
+  SurfaceLoads loads_;
+
+  [[nodiscard]] bool is_explicit() const { return study_.mpm.scheme == exchange::Scheme::explicit_dynamic; }
+
+  static std::unique_ptr<const Drive> drive_of(const exchange::Case& study, const Space& space) {
+    if constexpr (dim == 2)
+      if (study.motion) {
+        const Inertia inertia = study.mpm.scheme == exchange::Scheme::quasi_static ? Inertia::taken_off : Inertia::felt;
+        return std::make_unique<const Drive>(study, inertia, following_nodes(study, space));
+      }
+    return nullptr;
+  }
+
+  [[nodiscard]] StageLoad load_of(int number) const {
+    const exchange::StageEntry& entry = study_.stages[static_cast<std::size_t>(number - 1)];
+    return {.number = number,
+            .layer = entry.layer,
+            .gravity = study_.gravity,
+            .action = entry.action,
+            .may_fail = study_.construction.may_fail,
+            .starts_carried = entry.k0.has_value(),
+            .refill = refill_of(study_, entry.layer),
+            .drive = drive_.get()};
+  }
+
+  void begin(const exchange::StageEntry& entry, StageLoad& stage_load, exchange::Stage& stage) {
+    switch (entry.action) {
+    case exchange::Action::ground:
+    case exchange::Action::place:
+      stage.mass_placed = place(entry);
+      break;
+    case exchange::Action::remove:
+      if (is_explicit()) stage.steps = fade(stage_load);
+      stage.mass_placed = -remove_layer(body_.points, entry.layer);
+      present_.erase(std::find(present_.begin(), present_.end(), entry.layer));
+      body_.sort();
+      break;
+    case exchange::Action::load:
+      if constexpr (dim == 2)
+        loads_.add(entry, design_.layers(body_.points, present_), body_.points,
+                   body_.space.size() / body_.layout.row_points);
+      break;
+    case exchange::Action::hold:
+      break;
+    }
+    if (!loads_.empty()) stage_load.loads = &loads_;
+  }
+
+  /// Returns the mass [kg/m in 2-D].
+  double place(const exchange::StageEntry& entry) {
+    const double mass_before = total_mass(body_.points);
+    if (study_.geometry.drawn())
+      place_drawn(entry);
+    else
+      place_in_column(entry.layer);
+    return total_mass(body_.points) - mass_before;
+  }
+
+  void place_drawn(const exchange::StageEntry& entry) {
+    if constexpr (dim == 2) {
+      place_polygons(study_, entry.layer, present_, design_, body_);
+      present_.push_back(entry.layer);
+      if (entry.k0) set_level_stress(study_, entry.layer, body_.points);
+      body_.sort();
+    }
+  }
+
+  void place_in_column(int layer) {
+    placements_.push_back(placement_of(study_, layer, body_));
+    place_layer(body_, placements_.back());
+    body_.sort();
+    if (study_.construction.convention == exchange::Convention::drop && !is_explicit())
+      require_supported(study_, placements_.back(), body_);
+  }
+
+  std::int64_t fade(const StageLoad& stage_load) {
+    StageLoad fading = stage_load;
+    if (!loads_.empty()) fading.loads = &loads_;
+    return fade_explicit(body_, fading, study_.mpm.explicit_dynamic, study_.mpm.threads).steps;
+  }
+
+  StageReport load(const StageLoad& stage_load) {
+    if (!is_explicit()) return load_quasi_static(body_, stage_load, study_.mpm.quasi_static);
+    if constexpr (dim == 2)
+      if (stage_load.drive != nullptr && stage_load.drive->runs_in_time())
+        return run_motion(body_, stage_load, study_.mpm.explicit_dynamic.courant, study_.mpm.threads);
+    return load_explicit(body_, stage_load, study_.mpm.explicit_dynamic, study_.mpm.threads);
+  }
+
+  void record(const StageReport& report, exchange::Stage& stage) const {
+    stage.steps += report.steps;
+    stage.linear_solves = report.linear_solves;
+    stage.out_of_balance = report.out_of_balance;
+    stage.in_equilibrium = report.in_equilibrium;
+    stage.base_reaction = report.base_reaction;
+    stage.mass = total_mass(body_.points);
+    stage.mass_refilled = refilled_mass(body_.points, stage.layer);
+    stage.weight = study_.gravity * stage.mass;
+    stage.points = sample_points(body_.points);
+    if constexpr (dim == 2)
+      if (study_.geometry.drawn()) {
+        stage.surface_height = highest_surface(body_.points);
+        stage.probes = sample_drawn_probes(study_, body_.points, design_, present_);
+        if (report.reactions.size() > 0)
+          stage.support_reactions = support_reactions(study_, body_.space, report.reactions);
+        return;
+      }
+    stage.surface_height = surface_height(body_, study_.construction.convention);
+    stage.probes = sample_probes(study_, body_.points, placements_);
+  }
+};
+
+} // namespace settle::mpm

@@ -1,0 +1,67 @@
+/// \file
+/// What is drawn: where each material point has its place in the design, and where a new layer comes to lie.
+#pragma once
+
+#include <vector>
+
+#include "settle/exchange/case.hpp"
+#include "settle/mpm/scattered_sampling.hpp"
+
+namespace settle::mpm {
+
+/// Places of points in the design, by their identity: points change neither.
+class Design {
+public:
+  /// The next point that is added has this place [m].
+  void note(const Vector<2>& place) { places_.push_back(place); }
+  [[nodiscard]] const Vector<2>& place_of(std::uint64_t id) const { return places_[static_cast<std::size_t>(id - 1)]; }
+  /// The points of a layer, or of several, each at its place in the design.
+  [[nodiscard]] Scattered layer(const Points<2>& points, int layer) const { return layers(points, {layer}); }
+  [[nodiscard]] Scattered layers(const Points<2>& points, const std::vector<int>& layers) const;
+
+private:
+  std::vector<Vector<2>> places_;
+};
+
+/// Layers that are there, each with its points; the one placed last comes last.
+class PresentLayers {
+public:
+  PresentLayers(const exchange::Case& study, const Design& design, const Points<2>& points,
+                const std::vector<int>& layers);
+
+  /// Where the material point with this place in the design is now, on the surface of what lies there; the place itself
+  /// where nothing does [m].
+  [[nodiscard]] Vector<2> surface(const Vector<2>& place) const;
+
+private:
+  const exchange::Case& study_;
+  const Points<2>& points_;
+  std::vector<int> layers_;
+  std::vector<Scattered> scattered_; ///< of each of them
+  const Design& design_;
+};
+
+/// How a layer is placed: as drawn (`drop`), or on what has settled below it (`float`, `level-up`). Vertical lines of
+/// the design stay vertical, and lead up from the current place of the material point at their foot, by as much as in
+/// the design (`float`), or so that the level of the layer's highest point is reached, parts of the way in proportion
+/// (`level-up`).
+class LayerLift {
+public:
+  /// `spacing`: of the verticals on which the surface below is looked for; between them it is linear [m].
+  LayerLift(const exchange::Case& study, int layer, const PresentLayers& below, double spacing);
+
+  /// Where a place in the design comes to lie, and by what its area is multiplied.
+  struct Spot {
+    Vector<2> position; ///< [m]
+    double area_ratio;
+  };
+  [[nodiscard]] Spot spot(const Vector<2>& place) const;
+
+private:
+  const exchange::Case& study_;
+  int layer_;
+  double first_ = 0, step_ = 0, level_ = 0; ///< first vertical, distance of two, highest point of the layer [m]
+  std::vector<Vector<2>> base_;             ///< on each vertical; none: as drawn
+};
+
+} // namespace settle::mpm

@@ -1,0 +1,314 @@
+// What stages do to bodies that are drawn: layers on settled ones, existing ground, excavation, loads.
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "settle/exchange/case_io.hpp"
+#include "settle/exchange/errors.hpp"
+#include "settle/exchange/plane_geometry.hpp"
+#include "settle/mpm/solver.hpp"
+
+using namespace settle;
+using testing::HasSubstr;
+
+namespace {
+
+using Overrides = std::vector<std::string>;
+
+constexpr double density = 1720.0, gravity = 10.0; // kg/m3, m/s2
+
+std::string head(const std::string& geometry) {
+  return "format = 1\ngravity = 10.0\n" + geometry + R"(
+[material.fill]
+law = "rate"
+youngs_modulus = 4e6
+poissons_ratio = 0.25
+density = 1720.0
+[mpm]
+element = "quadrilateral"
+element_size = 0.25
+[mpm.quasi_static]
+increments = 4
+[mpm.explicit]
+relaxation = "viscous"
+damping = 0.9
+force_error = 1e-5
+energy_error = 1e-5
+[construction]
+convention = "drop"
+material = "fill"
+)";
+}
+
+/// Two layers, 1 m high, 1 m wide at the crest and 4 m at the rough base.
+exchange::Case embankment(const std::string& stages, const Overrides& overrides = {}) {
+  return exchange::parse_case(head(R"(
+[geometry]
+shape = "embankment"
+dimension = 2
+[geometry.embankment]
+height = 1.0
+crest = 1.0
+slopes = [1.5, 1.5]
+)") + "layers = 2\n[probes.axis]\nfrom = [0.0, 0.0]\nto = [0.0, 1.0]\npoints = 5\n" +
+                                  stages,
+                              "embankment.toml", overrides);
+}
+
+/// Layers of 0.5 m between smooth walls 2 m apart: what happens has one dimension.
+exchange::Case box(int layers, const std::string& stages, const Overrides& overrides = {}) {
+  std::string geometry = "[geometry]\nshape = \"polygons\"\ndimension = 2\n";
+  for (int layer = 1; layer <= layers; ++layer) {
+    const std::string low = std::to_string(0.5 * (layer - 1)), high = std::to_string(0.5 * layer);
+    geometry += "[[geometry.polygon]]\nlayer = " + std::to_string(layer) + "\ncorners = [[0.0, " + low + "], [2.0, " +
+                low + "], [2.0, " + high + "], [0.0, " + high + "]]\n";
+  }
+  const std::string top = std::to_string(0.5 * layers);
+  return exchange::parse_case(head(geometry) + "layers = " + std::to_string(layers) + R"(
+[[support]]
+from = [0.0, )" + top + R"(]
+to = [0.0, 0.0]
+held = "x"
+[[support]]
+from = [0.0, 0.0]
+to = [2.0, 0.0]
+held = "y"
+[[support]]
+from = [2.0, 0.0]
+to = [2.0, )" + top + R"(]
+held = "x"
+[probes.middle]
+from = [1.0, 0.0]
+to = [1.0, )" + top +
+                                  "]\npoints = " + std::to_string(2 * layers + 1) + "\n" + stages,
+                              "box.toml", overrides);
+}
+
+std::string stage(const std::string& action, int layer, const std::string& rest = {}) {
+  return "[[stage]]\naction = \"" + action + "\"\nlayer = " + std::to_string(layer) + "\n" + rest;
+}
+
+const std::string hold = "[[stage]]\naction = \"hold\"\n";
+
+std::string surface_load(const std::string& traction, const std::string& from = "[2.0, 1.0]",
+                         const std::string& to = "[0.0, 1.0]") {
+  return "[[stage]]\naction = \"load\"\nfrom = " + from + "\nto = " + to + "\ntraction = " + traction + "\n";
+}
+
+std::vector<exchange::Stage> stages_of(const exchange::Case& study) {
+  std::vector<exchange::Stage> stages;
+  mpm::solve(study, [&](const exchange::Stage& stage) { stages.push_back(stage); });
+  return stages;
+}
+
+std::string complaint_about(const exchange::Case& study) {
+  try {
+    mpm::solve(study, [](const exchange::Stage&) {});
+  } catch (const exchange::InputError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+/// Upwards [N/m], of all supports.
+double vertical_reaction(const exchange::Stage& stage) {
+  double sum = 0;
+  for (std::size_t i = 1; i < stage.support_reactions.size(); i += 2)
+    sum += stage.support_reactions[i];
+  return sum;
+}
+
+double horizontal_reaction(const exchange::Stage& stage) {
+  double sum = 0;
+  for (std::size_t i = 0; i < stage.support_reactions.size(); i += 2)
+    sum += stage.support_reactions[i];
+  return sum;
+}
+
+/// Relative difference of two lists in the Euclidean norm.
+double difference(const std::vector<double>& value, const std::vector<double>& reference) {
+  EXPECT_EQ(value.size(), reference.size());
+  double sum = 0, scale = 0;
+  for (std::size_t i = 0; i < reference.size(); ++i) {
+    sum += std::pow(value[i] - reference[i], 2);
+    scale += std::pow(reference[i], 2);
+  }
+  return std::sqrt(sum / scale);
+}
+
+/// The schemes end at a relative force of 1e-9 and of 1e-5.
+struct SchemeOfTest {
+  std::string name;
+  double balance;
+};
+class BothSchemes : public testing::TestWithParam<SchemeOfTest> {
+protected:
+  [[nodiscard]] Overrides scheme() const { return {"mpm.scheme=" + GetParam().name}; }
+};
+INSTANTIATE_TEST_SUITE_P(Mpm, BothSchemes,
+                         testing::Values(SchemeOfTest{"quasi-static", 1e-7}, SchemeOfTest{"explicit", 1e-4}),
+                         [](const auto& parameter) { return parameter.param.name.substr(0, 5); });
+
+} // namespace
+
+TEST_P(BothSchemes, NoMassIsLostAndTheBaseCarriesWhatIsThere) {
+  Overrides overrides = scheme();
+  for (const std::string convention : {"drop", "float", "level-up"}) {
+    overrides.push_back("construction.convention=" + convention);
+    const auto stages = stages_of(embankment(
+        stage("place", 1) + hold + stage("place", 2) + surface_load("[0.0, -2e3]", "[0.5, 1.0]", "[-0.5, 1.0]") + hold +
+            "[[stage]]\naction = \"load\"\nfrom = [0.5, 1.0]\nto = [-0.5, 1.0]\ntraction = [0.0, 2e3]\n",
+        overrides));
+    double before = 0;
+    for (std::size_t i = 0; i < stages.size(); ++i) {
+      const double load = i == 3 || i == 4 ? 2e3 : 0.0;
+      EXPECT_NEAR(before + stages[i].mass_placed, stages[i].mass, 1e-12 * stages[i].mass);
+      EXPECT_NEAR(stages[i].base_reaction, stages[i].weight + load, GetParam().balance * stages[i].weight);
+      EXPECT_NEAR(vertical_reaction(stages[i]), stages[i].base_reaction, GetParam().balance * stages[i].weight);
+      EXPECT_NEAR(horizontal_reaction(stages[i]), 0.0, GetParam().balance * stages[i].weight);
+      EXPECT_TRUE(stages[i].in_equilibrium);
+      before = stages[i].mass;
+    }
+    // the surface has settled by about a thousandth; `float` spreads a layer by less than that
+    EXPECT_NEAR(before, density * 2.5, 2e-3 * before);
+  }
+}
+
+/// Elastic: its weight was all that the layer did to the rest.
+TEST_P(BothSchemes, ALayerBuiltAndRemovedLeavesTheStateBefore) {
+  Overrides overrides = scheme();
+  overrides.emplace_back("construction.convention=float");
+  const auto stages = stages_of(embankment(stage("place", 1) + stage("place", 2) + stage("remove", 2), overrides));
+  EXPECT_NEAR(stages[2].mass, stages[0].mass, 1e-12 * stages[0].mass);
+  EXPECT_NEAR(stages[2].mass_placed, -stages[1].mass_placed, 1e-12 * stages[0].mass);
+  EXPECT_NEAR(stages[2].base_reaction, stages[2].weight, GetParam().balance * stages[2].weight);
+  const auto &before = stages[0].probes.at("axis"), &after = stages[2].probes.at("axis");
+  std::vector<double> between = stages[1].probes.at("axis").displacement;
+  between.resize(after.displacement.size()); // of the first layer
+  EXPECT_GT(difference(between, after.displacement), 0.2);
+  EXPECT_LT(difference(after.displacement, before.displacement), 1e-3);
+  EXPECT_LT(difference(after.stress, before.stress), 1e-3);
+}
+
+TEST_P(BothSchemes, GroundKeepsItsStressAndForgetsItsDisplacements) {
+  const auto placed = stages_of(box(2, "", scheme()));
+  const auto ground = stages_of(box(2, stage("ground", 1) + stage("ground", 2), scheme()));
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(ground[i].points.position, ground[i].points.placed_position);
+    EXPECT_EQ(*std::max_element(ground[i].points.displacement.begin(), ground[i].points.displacement.end()), 0.0);
+    EXPECT_LT(difference(ground[i].points.stress, placed[i].points.stress), 1e-12);
+    EXPECT_NEAR(ground[i].base_reaction, ground[i].weight, GetParam().balance * ground[i].weight);
+  }
+}
+
+/// The lateral stress is what the case says, and vertical stress the weight above: round-off of a start in equilibrium.
+TEST_P(BothSchemes, LevelGroundStartsWithTheStressOfItsDepth) {
+  const auto stages = stages_of(box(2, stage("ground", 1, "k0 = 0.7\n") + stage("ground", 2, "k0 = 0.4\n"), scheme()));
+  const exchange::SamplePoints& points = stages[1].points;
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    const double vertical = -density * gravity * (1.0 - points.position[2 * p + 1]);
+    EXPECT_NEAR(points.stress[6 * p + 1], vertical, 1e-8 * 1.7e4);
+    EXPECT_NEAR(points.stress[6 * p], (points.layer[p] == 1 ? 0.7 : 0.4) * vertical, 1e-8 * 1.7e4);
+    EXPECT_NEAR(points.stress[6 * p + 2], points.stress[6 * p], 1e-8 * 1.7e4);
+  }
+  EXPECT_NEAR(stages[1].base_reaction, stages[1].weight, GetParam().balance * stages[1].weight);
+}
+
+/// Along its whole surface: 10 kPa everywhere, and what the column yields under them.
+TEST_P(BothSchemes, AUniformLoadIsFeltEverywhereAndStays) {
+  Overrides overrides = scheme();
+  overrides.emplace_back("material.fill.youngs_modulus=4e8"); // strains of 2e-5: small
+  const auto stages =
+      stages_of(box(2, stage("place", 1) + stage("place", 2) + surface_load("[0.0, -1e4]") + hold, overrides));
+  const exchange::SamplePoints &before = stages[1].points, &after = stages[2].points;
+  for (std::size_t p = 0; p < before.size(); ++p)
+    EXPECT_NEAR(after.stress[6 * p + 1] - before.stress[6 * p + 1], -1e4, 0.02 * 1e4);
+  EXPECT_NEAR(stages[2].base_reaction, stages[2].weight + 2e4, GetParam().balance * stages[2].weight);
+  EXPECT_NEAR(stages[3].base_reaction, stages[2].base_reaction, GetParam().balance * stages[2].weight);
+  // a hold finds the equilibrium of points where they have moved to: strains of 2e-5 away
+  EXPECT_LT(difference(stages[3].points.displacement, after.displacement), std::max(GetParam().balance, 2e-5));
+  const double modulus = 4e8 * 0.75 / (1.25 * 0.5); // E (1 - nu)/((1 + nu)(1 - 2 nu))
+  const auto &top_before = stages[1].probes.at("middle").displacement,
+             &top = stages[2].probes.at("middle").displacement;
+  EXPECT_NEAR(top.back() - top_before.back(), -1e4 / modulus, 0.01 * 1e4 / modulus);
+}
+
+/// Drag along the crest is carried by the rough base.
+TEST_P(BothSchemes, SupportsCarryALoadAlongTheSurface) {
+  const auto stages = stages_of(embankment(
+      stage("place", 1) + stage("place", 2) + surface_load("[1e3, 0.0]", "[0.5, 1.0]", "[-0.5, 1.0]"), scheme()));
+  EXPECT_NEAR(horizontal_reaction(stages[2]), -1e3, GetParam().balance * stages[2].weight);
+  EXPECT_NEAR(vertical_reaction(stages[2]), stages[2].weight, GetParam().balance * stages[2].weight);
+}
+
+/// A rough base between smooth walls: the nodes in their corners belong to both.
+TEST(StagedBody, TheForceAtASharedCornerCountsOnce) {
+  const auto stages =
+      stages_of(box(2, stage("place", 1) + stage("place", 2) + surface_load("[1e3, 0.0]"), {"support.1.held=both"}));
+  EXPECT_NEAR(horizontal_reaction(stages[2]), -2e3, 1e-3);
+}
+
+/// Layers that span the walls are those of a column: two ways of placing them, one result.
+TEST(StagedBody, LayersOnASettledSurfaceAreThoseOfAColumn) {
+  for (const std::string convention : {"float", "level-up"}) {
+    const Overrides overrides{"construction.convention=" + convention, "material.fill.youngs_modulus=4e5"};
+    const auto drawn = stages_of(box(3, "", overrides));
+    const auto column = stages_of(
+        exchange::parse_case(head("[geometry]\nshape = \"column\"\ndimension = 2\nheight = 1.5\nwidth = 2.0\n") +
+                                 "layers = 3\n[probes.middle]\npoints_per_layer = 3\n",
+                             "column.toml", overrides));
+    const auto &own = drawn.back().probes.at("middle"), &reference = column.back().probes.at("middle");
+    EXPECT_EQ(own.design_position, reference.design_position);
+    // a plane through points takes the surface for flat: second order of a layer's 0.5 m in its settlement
+    EXPECT_LT(difference(own.placed_position, reference.placed_position), 1e-4) << convention;
+    EXPECT_LT(difference(own.displacement, reference.displacement), 5e-3) << convention;
+    EXPECT_NEAR(drawn.back().mass, column.back().mass, 2e-4 * column.back().mass) << convention;
+  }
+}
+
+TEST(StagedBody, ALevelUpReachesTheDesignLevelAndAFloatStaysBelowItByTheSettlement) {
+  const Overrides soft{"material.fill.youngs_modulus=4e5"};
+  const auto lowest_top = [&](const std::string& convention) {
+    Overrides overrides = soft;
+    overrides.push_back("construction.convention=" + convention);
+    const auto probes = stages_of(embankment("", overrides)).back().probes.at("axis");
+    return std::pair(probes.placed_position[2 * probes.size() - 1], probes.displacement[2 * 2 + 1]);
+  };
+  EXPECT_NEAR(lowest_top("level-up").first, 1.0, 1e-6);
+  const auto [top, settlement] = lowest_top("float"); // of the first layer's top, more by now than at placement
+  EXPECT_LT(top, 1.0 - 1e-3);
+  EXPECT_GT(top, 1.0 + settlement);
+}
+
+TEST(StagedRequirements, AStressOfLevelGroundIsForLevelGround) {
+  const auto study = embankment(stage("ground", 1, "k0 = 0.5\n") + stage("place", 2));
+  EXPECT_THAT(complaint_about(study), HasSubstr("layer 1, which is no upright rectangle"));
+}
+
+TEST(StagedRequirements, HyperelasticGroundCannotStartWithAStress) {
+  const auto study = box(1, stage("ground", 1, "k0 = 0.5\n"), {"material.fill.law=hencky"});
+  EXPECT_THAT(complaint_about(study), HasSubstr("use law = \"rate\", or leave k0 out"));
+}
+
+TEST(StagedRequirements, ALoadLiesOnTheSurfaceWithTheBodyToItsLeft) {
+  const std::string placed = stage("place", 1) + stage("place", 2);
+  for (const std::string& load : {surface_load("[0.0, -1.0]", "[0.0, 1.0]", "[2.0, 1.0]"),  // the other way
+                                  surface_load("[0.0, -1.0]", "[2.0, 0.5]", "[0.0, 0.5]"),  // within
+                                  surface_load("[0.0, -1.0]", "[3.0, 1.0]", "[0.0, 1.0]")}) // beyond an end
+    EXPECT_THAT(complaint_about(box(2, placed + load)), HasSubstr("the load is not on the surface of what is there"));
+}
+
+TEST(StagedRequirements, ALayerWithALoadOnItStays) {
+  const auto study = box(2, stage("place", 1) + stage("place", 2) + surface_load("[0.0, -1.0]") + stage("remove", 2));
+  EXPECT_THAT(complaint_about(study), HasSubstr("layer 2 is taken away with a load on it"));
+}
+
+TEST(StagedRequirements, MotionsKnowLayersThatArePlacedOnly) {
+  const auto study = box(1, stage("place", 1) + hold + "[motion]\ndisplacement = ['0', '0']\n");
+  EXPECT_THAT(complaint_about(study), HasSubstr("formulas of a motion know stages that place layers only"));
+}
