@@ -220,6 +220,35 @@ TYPED_TEST(KernelStepOf, EmptyRowsAboveTheBodyChangeNothing) {
     EXPECT_EQ(moved(rows), low) << rows;
 }
 
+/// Points that start in the uppermost row fall until the strip of rows there is empty and has been sorted out. Among
+/// grids of so many heights the last strip lacks none of its rows, some, or all but a few; nodes above it are those of
+/// all squares wherever it ends.
+TYPED_TEST(KernelStepOf, NodesOfALastStripOfAnyHeightAreClearedOnceItHasEmptied) {
+  for (int rows = 12; rows <= 20; ++rows) {
+    const Block data{.columns = 40, .rows = rows, .filled_rows = 1, .supported = false};
+    auto body = block<TypeParam>(data);
+    body.points = {};
+    place_layer(body, {.layer = 1, .base = (rows - 1) * data.size, .thickness = data.size});
+    body.sort();
+    auto& height = body.points.position.back();
+    std::fill(body.points.velocity.back().begin(), body.points.velocity.back().end(), -3.0);
+    KernelStep<TypeParam> step(body);
+    while (*std::max_element(height.begin(), height.end()) > 2.5 * data.size) {
+      step.scatter({.acceleration = 0.0});
+      const double dt = step.stable_time_step(0.5);
+      step.accelerate(0.0);
+      step.displace(dt, dt);
+      step.move();
+    }
+    step.scatter({});
+    step.accelerate(0.0);
+    double mass = 0;
+    for (int n = 0; n < body.space.n_nodes(); ++n)
+      mass += step.node(n).mass;
+    EXPECT_NEAR(mass / total_mass(body.points), 1.0, 1e-13) << rows;
+  }
+}
+
 /// Points that leave the grid are missed, also those that have strayed before.
 TYPED_TEST(KernelStepOf, APointThatLeavesTheGridIsLost) {
   auto body = stirred_block<TypeParam>({.block = {.supported = false}}, 0.0);
