@@ -17,13 +17,24 @@ namespace {
 
 constexpr double height = 5.0; ///< [m]
 
-/// A square body of n x n squares that fill the grid but for its uppermost row, as the paper's soil, on rollers.
+/// Points at the Gauss points of simplices, else two along each side.
+template <class Space>
+PointLayout<Space::dim> layout_of() {
+  if constexpr (std::is_same_v<Space, TriangleSpace>) return triangle_layout();
+  if constexpr (std::is_same_v<Space, TetrahedronSpace>) return tetrahedron_layout();
+  return lattice_layout<Space::dim>(2);
+}
+
+/// A body of n squares along each side that fill the grid but for its uppermost row, as the paper's soil, on rollers.
 template <class Space>
 Body<Space> body_of(int n, StressIntegration integration) {
-  const Space space(GridBox<2>{.counts = {n, n + 1}, .size = height / n});
+  GridBox<Space::dim> box{.counts = {}, .size = height / n};
+  box.counts.fill(n);
+  ++box.counts.back();
+  const Space space(box);
   Body<Space> body{.space = space,
                    .points = {},
-                   .layout = std::is_same_v<Space, TriangleSpace> ? triangle_layout() : lattice_layout<2>(2),
+                   .layout = layout_of<Space>(),
                    .cells = {},
                    .fixed = oedometer_supports(space),
                    .lame = Lame::from(400e3, 0.25),
@@ -35,14 +46,16 @@ Body<Space> body_of(int n, StressIntegration integration) {
   return body;
 }
 
-/// Gives the points the velocity of a whirl: they cross cells all the time.
+/// Gives the points the velocity of a whirl around a level axis: they cross cells all the time.
 template <class Space>
 void stir(Body<Space>& body, double speed) {
   const double k = M_PI / height;
+  auto& position = body.points.position;
+  auto& velocity = body.points.velocity;
   for (std::size_t p = 0; p < body.points.size(); ++p) {
-    const double x = body.points.position[0][p], y = body.points.position[1][p];
-    body.points.velocity[0][p] = speed * std::sin(k * x) * std::cos(k * y);
-    body.points.velocity[1][p] = -speed * std::cos(k * x) * std::sin(k * y);
+    const double x = position.front()[p], y = position.back()[p];
+    velocity.front()[p] = speed * std::sin(k * x) * std::cos(k * y);
+    velocity.back()[p] = -speed * std::cos(k * x) * std::sin(k * y);
   }
 }
 
@@ -153,9 +166,19 @@ void sizes(benchmark::internal::Benchmark* benchmark) {
 void one_size(benchmark::internal::Benchmark* benchmark) {
   benchmark->ArgNames({"side", "threads"})->Args({250, 1})->Unit(benchmark::kMillisecond)->UseRealTime();
 }
+void solid_sizes(benchmark::internal::Benchmark* benchmark) {
+  for (const std::int64_t side : {4, 12, 32, 64})
+    for (const std::int64_t threads : thread_counts())
+      benchmark->Args({side, threads});
+  benchmark->ArgNames({"side", "threads"})->Unit(benchmark::kMillisecond)->UseRealTime();
+}
+void one_solid_size(benchmark::internal::Benchmark* benchmark) {
+  benchmark->ArgNames({"side", "threads"})->Args({32, 1})->Unit(benchmark::kMillisecond)->UseRealTime();
+}
+template <int side>
 void phases(benchmark::internal::Benchmark* benchmark) {
   for (const Phase phase : {scatter, nodes, move, sort})
-    benchmark->Args({250, phase});
+    benchmark->Args({side, phase});
   benchmark->ArgNames({"side", "phase"})->Unit(benchmark::kMillisecond);
 }
 
@@ -171,11 +194,21 @@ BENCHMARK_TEMPLATE(whole_step, BSplineSpace<2>, by_points)->Apply(sizes);
 BENCHMARK_TEMPLATE(whole_step, QuadrilateralSpace, by_points)->Apply(one_size);
 BENCHMARK_TEMPLATE(whole_step, BSplineSpace<2>, mixed)->Apply(one_size);
 BENCHMARK_TEMPLATE(whole_step, GimpSpace<2>, by_points)->Apply(one_size);
+BENCHMARK_TEMPLATE(whole_step, TetrahedronSpace, mixed)->Apply(solid_sizes);
+BENCHMARK_TEMPLATE(whole_step, HexahedronSpace, by_points)->Apply(solid_sizes);
+BENCHMARK_TEMPLATE(whole_step, BSplineSpace<3>, by_points)->Apply(solid_sizes);
+BENCHMARK_TEMPLATE(whole_step, HexahedronSpace, mixed)->Apply(one_solid_size);
+BENCHMARK_TEMPLATE(whole_step, BSplineSpace<3>, mixed)->Apply(one_solid_size);
 BENCHMARK_TEMPLATE(crossing_step, TriangleSpace, mixed)->Apply(one_size);
 BENCHMARK_TEMPLATE(crossing_step, QuadrilateralSpace, mixed)->Apply(one_size);
-BENCHMARK_TEMPLATE(one_phase, TriangleSpace, mixed)->Apply(phases);
-BENCHMARK_TEMPLATE(one_phase, QuadrilateralSpace, mixed)->Apply(phases);
-BENCHMARK_TEMPLATE(one_phase, BSplineSpace<2>, by_points)->Apply(phases);
+BENCHMARK_TEMPLATE(crossing_step, TetrahedronSpace, mixed)->Apply(one_solid_size);
+BENCHMARK_TEMPLATE(crossing_step, HexahedronSpace, mixed)->Apply(one_solid_size);
+BENCHMARK_TEMPLATE(one_phase, TriangleSpace, mixed)->Apply(phases<250>);
+BENCHMARK_TEMPLATE(one_phase, QuadrilateralSpace, mixed)->Apply(phases<250>);
+BENCHMARK_TEMPLATE(one_phase, BSplineSpace<2>, by_points)->Apply(phases<250>);
+BENCHMARK_TEMPLATE(one_phase, TetrahedronSpace, mixed)->Apply(phases<32>);
+BENCHMARK_TEMPLATE(one_phase, HexahedronSpace, by_points)->Apply(phases<32>);
+BENCHMARK_TEMPLATE(one_phase, BSplineSpace<3>, by_points)->Apply(phases<32>);
 
 } // namespace
 } // namespace settle::mpm

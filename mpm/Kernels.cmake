@@ -6,7 +6,8 @@ target_compile_options(settle_mpm PRIVATE -ffp-contract=off)
 target_sources(settle_mpm PRIVATE src/kernel/variants.cpp)
 
 function(settle_add_kernels variant)
-  add_library(settle_mpm_${variant} OBJECT src/kernel/variant.cpp)
+  add_library(settle_mpm_${variant} OBJECT src/kernel/variant.cpp src/kernel/simplices.cpp
+    src/kernel/linear_boxes.cpp src/kernel/plane_b_splines.cpp src/kernel/solid_b_splines.cpp)
   target_compile_definitions(settle_mpm_${variant} PRIVATE SETTLE_VARIANT=${variant})
   target_compile_options(settle_mpm_${variant} PRIVATE -ffp-contract=off -fno-math-errno -fno-trapping-math
     -Wno-psabi ${ARGN}) # vectors are passed to functions that are inlined only

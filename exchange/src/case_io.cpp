@@ -57,9 +57,10 @@ void fill_dependent_defaults(Case& study) {
     geometry.width = geometry.height = 1.0; // of the cube that a point stands for
     return;
   }
-  if (geometry.drawn()) return fill_extent(geometry);
+  if (geometry.drawn()) fill_extent(geometry);
   const bool solid = geometry.dimension == 3;
   if (solid && !geometry.depth) geometry.depth = geometry.width;
+  if (geometry.drawn()) return;
   for (auto& [name, line] : study.probes) {
     if (!line.x) line.x = geometry.width / 2;
     if (solid && !line.y) line.y = *geometry.depth / 2;

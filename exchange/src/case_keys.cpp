@@ -62,7 +62,10 @@ KeyTable<Geometry> geometry_keys() {
              .left_out = "required for a column; the extent of what is drawn",
              .doc = "extent along x"});
   keys.real("depth", &Geometry::depth,
-            {.unit = "m", .range = above(0), .left_out = "the width", .doc = "extent along y, in 3-D only"});
+            {.unit = "m",
+             .range = above(0),
+             .left_out = "the width",
+             .doc = "extent along y, in 3-D only; a drawn section is extruded along it"});
   keys.integer(
       "dimension", &Geometry::dimension,
       {.range = from_to(2, 3), .required = true, .doc = "2: plane strain, gravity along -y; 3: gravity along -z"});

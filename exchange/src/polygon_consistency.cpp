@@ -233,10 +233,10 @@ void check_shape(const Case& study, Reading& reading) {
 }
 
 void check_polygons(const Case& study, Reading& reading) {
-  require(study.geometry.dimension == 2,
+  require(study.geometry.dimension == 2 || !study.motion,
           {.where = study.where("geometry.dimension"),
-           .what = "polygons lie in a plane",
-           .given = "dimension = 3",
+           .what = "the formulas of a motion are those of a plane",
+           .given = "dimension = 3 with a [motion]",
            .allowed = "2",
            .remedy = {}},
           reading);

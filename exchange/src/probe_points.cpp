@@ -26,13 +26,14 @@ std::vector<ProbePoint> points_across_polygons(const Geometry& geometry, const P
   const double slack = 1e-9 * (geometry.width + geometry.height); // ends of lines stand on boundaries up to round-off
   constexpr int usual_count = 9;
   const int count = line.points.value_or(usual_count);
+  const double y = geometry.dimension == 3 ? geometry.depth.value_or(geometry.width) / 2 : 0.0;
   std::vector<ProbePoint> points;
   for (int i = 0; i < count; ++i) {
     const double share = static_cast<double>(i) / (count - 1);
     const PlanePoint at{line.from[0] + share * (line.to[0] - line.from[0]),
                         line.from[1] + share * (line.to[1] - line.from[1])};
     for (const int layer : layers_at(geometry, at, slack))
-      points.push_back({.layer = layer, .x = at[0], .design_height = at[1]});
+      points.push_back({.layer = layer, .x = at[0], .y = y, .design_height = at[1]});
   }
   std::stable_sort(points.begin(), points.end(),
                    [](const ProbePoint& a, const ProbePoint& b) { return a.layer < b.layer; });

@@ -22,8 +22,8 @@ struct CellHistory {
   std::vector<dealii::Point<dim>> shape;             ///< (support points of the geometry) as placed [m]
   std::vector<double> displacement;                  ///< (dofs per cell) since placement [m]
   std::vector<dealii::SymmetricTensor<2, 3>> stress; ///< (quadrature points) Cauchy [Pa]
-  std::vector<StateVariables> variables;             ///< (quadrature points)
   std::vector<double> datum{};                       ///< (dofs per cell) displacement that counts as none [m]
+  std::vector<StateVariables> variables{};           ///< (quadrature points)
 
   [[nodiscard]] bool placed() const { return !displacement.empty(); }
   /// (dofs per cell) displacement as it is reported: that of existing ground counts from its state of rest [m].
@@ -47,8 +47,8 @@ public:
   void place(const Cell& cell, std::vector<dealii::Point<dim>> shape, unsigned n_dofs, unsigned n_quadrature_points,
              const StateVariables& variables) {
     of(cell) = {std::move(shape), std::vector<double>(n_dofs),
-                std::vector<dealii::SymmetricTensor<2, 3>>(n_quadrature_points),
-                std::vector<StateVariables>(n_quadrature_points, variables), std::vector<double>(n_dofs)};
+                std::vector<dealii::SymmetricTensor<2, 3>>(n_quadrature_points), std::vector<double>(n_dofs),
+                std::vector<StateVariables>(n_quadrature_points, variables)};
   }
   template <class Cell>
   void remove(const Cell& cell) {

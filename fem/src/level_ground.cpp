@@ -6,7 +6,7 @@
 namespace settle::fem {
 
 LevelGround::LevelGround(const exchange::Case& study) {
-  for (const exchange::StageEntry& entry : study.stages) {
+  for (const exchange::StageEntry& entry : study.all_stages()) {
     if (entry.action != exchange::Action::ground) break; // ground comes before everything else
     constexpr double infinity = std::numeric_limits<double>::infinity();
     Stratum stratum{entry.layer, infinity, -infinity, study.material_of(entry.layer).density * study.gravity, entry.k0};

@@ -4,7 +4,7 @@ namespace settle::fem {
 
 using exchange::PlanePoint;
 
-Loading::Loading(const exchange::Case& study) : stages_(study.stages) {
+Loading::Loading(const exchange::Case& study) : stages_(study.all_stages()) {
   if (!study.motion) return;
   formulas_.emplace(study);
   duration_ = study.motion->duration;

@@ -90,7 +90,8 @@ exchange::NotConverged not_converged(const exchange::Case& study, const Failure&
 template <int dim>
 class Construction final : public Solver::Implementation {
 public:
-  explicit Construction(const exchange::Case& study) : study_(study), problem_(study), probes_(problem_, study) {}
+  explicit Construction(const exchange::Case& study)
+      : study_(study), stages_(study.all_stages()), problem_(study), probes_(problem_, study) {}
 
   [[nodiscard]] exchange::Used used() const override {
     exchange::Used used = exchange::used_values(study_, study_.fem.kinematics);
@@ -110,11 +111,11 @@ public:
       Ramp ramp{.mass_before = problem_.mass(entry(stage).layer)};
       problem_.begin(stage);
       const bool stands = raise(stage, ramp);
-      if (!stands && ramp.reached == 0.0) return exchange::Failure{stage, 0.0};
-      problem_.finish();
+      if (!stands && ramp.reached == 0.0) return exchange::Failure{.stage = stage, .share = 0.0};
+      if (stands) problem_.finish();
       on_stage(report(stage, ramp));
       if (series) series->add(problem_, stage);
-      if (!stands) return exchange::Failure{stage, ramp.reached};
+      if (!stands) return exchange::Failure{.stage = stage, .share = ramp.reached};
     }
     return {};
   }
@@ -166,7 +167,7 @@ private:
   }
 
   [[nodiscard]] const exchange::StageEntry& entry(int stage) const {
-    return study_.stages.at(static_cast<std::size_t>(stage - 1));
+    return stages_.at(static_cast<std::size_t>(stage - 1));
   }
 
   /// Where nothing changes there is nothing to divide.
@@ -203,6 +204,7 @@ private:
   }
 
   exchange::Case study_;
+  std::vector<exchange::StageEntry> stages_;
   StagedProblem<dim> problem_;
   ProbeLines<dim> probes_;
 };

@@ -53,7 +53,7 @@ void StagedProblem<dim>::place(int layer) {
   for (std::size_t i = 0; i < cells.size(); ++i) {
     cells[i]->set_active_fe_index(placed_element);
     history_.place(cells[i], std::move(shapes[i]), element().n_dofs_per_cell(), quadrature_.size(),
-                   of_layer(placed_with_, layer_of(cells[i])));
+                   of_layer(placed_with_, layer));
   }
   geometry_.update(mesh_, history_);
 }

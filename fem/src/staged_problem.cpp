@@ -76,11 +76,11 @@ StagedProblem<dim>::StagedProblem(const exchange::Case& study)
     : choice_(study.fem.linear_solver), formulation_(make_formulation<dim>(study)),
       densities_(for_each_layer(study, [](const exchange::Material& material) { return material.density; })),
       placed_with_(for_each_layer(study, state_as_placed)), gravity_(study.gravity),
-      geometry_moves_(study.fem.kinematics == exchange::Kinematics::finite),
+      geometry_moves_(study.fem.kinematics == exchange::Kinematics::finite), stages_(study.all_stages()),
+      level_ground_(study), loading_(study), surface_loads_(study),
       yields_(any_layer(study, [](const auto& material) { return fem::yields(soil_law(material)); })),
       hardens_(any_layer(study, [](const auto& material) { return material.law == exchange::Law::cam_clay; })),
-      stages_(study.stages), level_ground_(study), loading_(study), surface_loads_(study), supports_(study),
-      n_supports_(study.supports.size()), elements_(elements_for<dim>(degree_of(study.fem.element))),
+      supports_(study), n_supports_(study.supports.size()), elements_(elements_for<dim>(degree_of(study.fem.element))),
       quadrature_(degree_of(study.fem.element) + 1), load_quadrature_(load_quadrature(quadrature_, loading_)),
       dofs_(mesh_), history_(0), geometry_(study) {
   make_mesh(study, mesh_);

@@ -74,11 +74,11 @@ public:
   [[nodiscard]] double density(int layer) const { return of_layer(densities_, layer); }
   [[nodiscard]] double gravity() const { return gravity_; }
   [[nodiscard]] const Loading& loading() const { return loading_; }
+  /// Do positions change with displacement? Where they do not, all are those of the design.
+  [[nodiscard]] bool geometry_moves() const { return geometry_moves_; }
   /// Whether any layer's law has plastic strain, and whether any has a preconsolidation pressure.
   [[nodiscard]] bool yields() const { return yields_; }
   [[nodiscard]] bool hardens() const { return hardens_; }
-  /// Do positions change with displacement? Where they do not, all are those of the design.
-  [[nodiscard]] bool geometry_moves() const { return geometry_moves_; }
   /// Cells that are there.
   [[nodiscard]] const std::vector<Cell>& placed_cells() const { return placed_; }
   /// Of a layer, as far as it is there [kg/m or kg].
@@ -120,11 +120,12 @@ private:
   std::vector<double> densities_;           ///< (layers) as placed [kg/m3]
   std::vector<StateVariables> placed_with_; ///< (layers) what material remembers when it is placed
   double gravity_;                          ///< [m/s2]
-  bool geometry_moves_, yields_, hardens_;
+  bool geometry_moves_;
   std::vector<exchange::StageEntry> stages_;
   LevelGround level_ground_;
   Loading loading_;
   SurfaceLoads<dim> surface_loads_;
+  bool yields_, hardens_;
   Supports<dim> supports_;
   std::size_t n_supports_;
   Progress reached_, target_; ///< as accepted last, and of the increment that is being solved for

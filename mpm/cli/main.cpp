@@ -11,6 +11,7 @@ namespace exchange = settle::exchange;
 
 std::string check(const exchange::Case& study) {
   settle::mpm::require_solvable(study);
+  if (study.geometry.shape == exchange::Shape::point) return fmt::format("a path of {} legs", study.n_stages());
   return fmt::format("{} layers, elements of {:g} m, {}", study.construction.layers, study.mpm.element_size,
                      exchange::name_of(study.mpm.scheme));
 }
@@ -26,10 +27,6 @@ int main(int argc, char** argv) {
        .check = check,
        .used = settle::mpm::used,
        .threads = settle::mpm::threads,
-       .solve =
-           [](const exchange::Case& study, const exchange::StageSink& on_stage) {
-             settle::mpm::solve(study, on_stage);
-             return std::optional<exchange::Failure>();
-           }},
+       .solve = settle::mpm::solve},
       argc, argv);
 }

@@ -24,8 +24,14 @@ public:
   explicit Builder(const exchange::Case& study)
       : study_(study), body_(empty_body<Space>(study)), drive_(drive_of(study, body_.space)) {}
 
+  /// What has become of a stage.
+  struct Built {
+    exchange::Stage stage{};
+    std::optional<double> failed_at{}; ///< as in StageReport
+  };
+
   /// Stage 1, 2, ... from what the one before has left.
-  exchange::Stage build(int number) {
+  Built build(int number) {
     const auto start = std::chrono::steady_clock::now();
     StageLoad stage_load = load_of(number);
     exchange::Stage stage;
@@ -35,7 +41,7 @@ public:
     if (stage_load.action == exchange::Action::ground) forget_displacements(body_.points);
     record(report, stage);
     stage.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    return stage;
+    return {std::move(stage), report.failed_at};
   }
 
 private:
@@ -64,6 +70,7 @@ private:
             .layer = entry.layer,
             .gravity = study_.gravity,
             .action = entry.action,
+            .may_fail = study_.construction.may_fail,
             .starts_carried = entry.k0.has_value(),
             .refill = refill_of(study_, entry.layer),
             .drive = drive_.get()};

@@ -40,6 +40,12 @@ public:
   [[nodiscard]] int n_nodes() const { return common_.size(); }
   [[nodiscard]] int node(int i) const { return common_.node(i); }
 
+  /// Gradients of the cell as a whole, for bodies with `mean_volume`: the volume average of the points' own.
+  [[nodiscard]] const typename Stencil::Gradients& mean_gradients() const {
+    if constexpr (Space::has_constant_gradients) return common_.gradients;
+    return mean_;
+  }
+
   /// Calls `action` with every patch in order. It may move and deform the points of its patch.
   template <class Action>
   void for_each_patch(Action&& action) const {
@@ -57,7 +63,8 @@ private:
   const Body<Space>& body_;
   int cell_;
   PointRange points_;
-  Stencil common_;          ///< nodes of all points, and the part of the gradients that is the same at all of them
+  Stencil common_; ///< nodes of all points, and the part of the gradients that is the same at all of them
+  typename Stencil::Gradients mean_;
   double volume_ratio_ = 1; ///< of the volume that the points' stress acts over to their own
 
   [[nodiscard]] bool full_cells() const { return body_.integration == StressIntegration::full_cells; }
@@ -74,6 +81,7 @@ private:
     const int i = common_.count++;
     common_.nodes[static_cast<std::size_t>(i)] = node;
     common_.gradients.col(i).setZero();
+    mean_.col(i).setZero();
     return i;
   }
   [[nodiscard]] int find(int node, int hint) const {
@@ -86,6 +94,7 @@ private:
   void collect_common_part() {
     const double volume = points_volume();
     volume_ratio_ = integration_volume(body_, volume) / volume;
+    mean_ = common_.gradients;
     if (!full_cells()) common_.gradients.setZero();
     for (std::size_t p = points_.first; p < points_.last; ++p) {
       const Stencil own = body_.space.stencil(cell_, body_.points, p);

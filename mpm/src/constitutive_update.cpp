@@ -3,36 +3,13 @@
 #include <cmath>
 #include <type_traits>
 
-#include "settle/mpm/hyperelasticity.hpp"
+#include "layered_update.hpp"
+#include "point_update.hpp"
 #include "settle/mpm/spaces.hpp"
 
 namespace settle::mpm {
 
 namespace {
-
-/// Calls `action` with the type of the body's hyperelastic law; the law `rate` is none and does not come here.
-template <class Space, class Action>
-auto with_hyperelastic_law(const Body<Space>& body, Action&& action) {
-  if (body.law == exchange::Law::hencky) return action(std::type_identity<Hencky<Space::dim>>());
-  return action(std::type_identity<NeoHookean<Space::dim>>());
-}
-
-/// Variation of b = F F^T by a displacement whose gradient is e_direction (x) e_axis.
-template <int dim>
-Tensor<dim> variation_of_b(const Tensor<dim>& b, int direction, int axis) {
-  Tensor<dim> half = Tensor<dim>::Zero();
-  half.row(direction) = b.row(axis);
-  return half + half.transpose();
-}
-
-/// Calls `variation(direction, axis)` for every component of the gradient.
-template <int dim, class Variation>
-void differentiate(Response<dim>& response, Variation&& variation) {
-  for (int direction = 0; direction < dim; ++direction)
-    for (int axis = 0; axis < dim; ++axis)
-      variation(response.by_gradient[static_cast<std::size_t>(direction)][static_cast<std::size_t>(axis)], direction,
-                axis);
-}
 
 /// Law `rate`: sigma = R sigma_0 R^T + D : e, e the logarithmic strain of the increment, R its rotation for the Jaumann
 /// rate, else the identity. It is linear in sigma_0, so the average of the points' stresses is the stress of their
@@ -57,29 +34,6 @@ Response<dim> rate_response(const Body<Space>& body, const Tensor<dim>& start,
   return response;
 }
 
-/// sigma = tau(b) / J point by point; d_sigma = d_tau / J - div(d_u) sigma.
-template <class Law, class Space, int dim = Space::dim>
-Response<dim> hyperelastic_response(const Body<Space>& body, PointRange range, double points_volume,
-                                    const IncrementalKinematics<dim>& kinematics) {
-  Response<dim> response;
-  response.stress.setZero();
-  differentiate(response, [](Tensor<dim>& variation, int, int) { variation.setZero(); });
-  for (std::size_t p = range.first; p < range.last; ++p) {
-    const double weight = body.points.volume[p] / points_volume;
-    const Tensor<dim> deformation = kinematics.deformation * body.points.deformation_of(p);
-    const Tensor<dim> b = deformation * deformation.transpose();
-    const double jacobian = deformation.determinant();
-    const Law law(body.lame, b);
-    const Tensor<dim> sigma = law.kirchhoff().tensor / jacobian;
-    response.stress += weight * sigma;
-    differentiate(response, [&](Tensor<dim>& variation, int direction, int axis) {
-      variation += weight * law.variation(variation_of_b<dim>(b, direction, axis)).tensor / jacobian;
-      if (direction == axis) variation -= weight * sigma;
-    });
-  }
-  return response;
-}
-
 template <class Space>
 void deform_rate_points(Body<Space>& body, PointRange range, const IncrementalKinematics<Space::dim>& kinematics,
                         StrainMeasure measure) {
@@ -100,21 +54,6 @@ void deform_rate_points(Body<Space>& body, PointRange range, const IncrementalKi
   }
 }
 
-template <class Law, class Space>
-void deform_hyperelastic_points(Body<Space>& body, PointRange range,
-                                const IncrementalKinematics<Space::dim>& kinematics) {
-  constexpr int dim = Space::dim;
-  const Tensor<dim> increment = kinematics.deformation;
-  for (std::size_t p = range.first; p < range.last; ++p) {
-    const Tensor<dim> deformation = increment * body.points.deformation_of(p);
-    body.points.set_deformation(p, deformation);
-    Stress<dim> stress = Law(body.lame, deformation * deformation.transpose()).kirchhoff();
-    stress.tensor /= deformation.determinant();
-    stress.out_of_plane /= deformation.determinant();
-    set_stress(body.points, p, stress);
-  }
-}
-
 /// A domain's sides take the lengths that the increment gives them, both made longer or shorter alike so that its
 /// volume changes as the point's: a rotation turns no domain, and does not shrink it either.
 template <int dim>
@@ -131,10 +70,16 @@ void deform_domains(Points<dim>& points, PointRange range, const IncrementalKine
 template <class Space>
 Response<Space::dim> respond(const Body<Space>& body, PointRange range, const AverageStress<Space::dim>& start,
                              const IncrementalKinematics<Space::dim>& kinematics) {
+  constexpr int dim = Space::dim;
+  if (!body.materials.empty()) return layered_response(body, range, start.points_volume, kinematics);
   if (body.law == exchange::Law::rate) return rate_response(body, start.average.tensor, kinematics);
-  return with_hyperelastic_law(body, [&]<class Law>(std::type_identity<Law>) {
-    return hyperelastic_response<Law>(body, range, start.points_volume, kinematics);
+  Response<dim> response = no_response<dim>();
+  with_hyperelastic_law<dim>(body.law, [&]<class Law>(std::type_identity<Law>) {
+    for (std::size_t p = range.first; p < range.last; ++p)
+      add_hyperelastic_point<Law>(body.lame, body.points, p, body.points.volume[p] / start.points_volume, kinematics,
+                                  response);
   });
+  return response;
 }
 
 template <class Space>
@@ -143,9 +88,12 @@ void deform_points(Body<Space>& body, PointRange range, const IncrementalKinemat
   for (std::size_t p = range.first; p < range.last; ++p)
     body.points.volume[p] *= kinematics.volume_ratio;
   if constexpr (Space::has_domains) deform_domains(body.points, range, kinematics);
+  if (!body.materials.empty()) return deform_layered_points(body, range, kinematics, measure);
   if (body.law == exchange::Law::rate) return deform_rate_points(body, range, kinematics, measure);
-  with_hyperelastic_law(
-      body, [&]<class Law>(std::type_identity<Law>) { deform_hyperelastic_points<Law>(body, range, kinematics); });
+  with_hyperelastic_law<Space::dim>(body.law, [&]<class Law>(std::type_identity<Law>) {
+    for (std::size_t p = range.first; p < range.last; ++p)
+      deform_hyperelastic_point<Law>(body.lame, body.points, p, kinematics);
+  });
 }
 
 #define SETTLE_INSTANTIATE(Space)                                                                                      \

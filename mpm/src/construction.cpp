@@ -1,5 +1,6 @@
 #include "construction.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -33,23 +34,44 @@ GridBox<dim> grid_in_column(const exchange::Case& study) {
   return box;
 }
 
+/// Of layers 1, 2, ...; none where all are of one material that remembers nothing but its stress and deformation:
+/// kernels know that one.
+std::vector<Material> layer_materials(const exchange::Case& study) {
+  const auto same = [&](int layer) { return &study.material_of(layer) == &study.fill(); };
+  bool simple = !is_soil(study.fill().law);
+  std::vector<Material> materials;
+  for (int layer = 1; layer <= study.construction.layers; ++layer) {
+    simple = simple && same(layer);
+    materials.push_back(material_of(study.material_of(layer)));
+  }
+  return simple ? std::vector<Material>{} : materials;
+}
+
 /// An empty body without supports.
 template <class Space>
 Body<Space> unsupported_body(const exchange::Case& study, const Space& space) {
-  const auto& fill = study.fill();
+  const Material fill = material_of(study.fill());
   Body<Space> body{.space = space,
                    .points = {},
                    .layout = layout_of<Space::dim>(study),
                    .cells = {},
                    .fixed = {},
-                   .lame = Lame::from(fill.youngs_modulus, fill.poissons_ratio),
+                   .lame = fill.lame,
                    .density = fill.density,
                    .integration = study.mpm.integration == exchange::Integration::mixed ? StressIntegration::full_cells
                                                                                         : StressIntegration::points,
                    .average_stress = study.mpm.average_stress,
                    .law = fill.law,
-                   .jaumann = study.mpm.jaumann};
-  body.points.tracks_deformation = fill.law != exchange::Law::rate;
+                   .jaumann = study.mpm.jaumann,
+                   .materials = layer_materials(study)};
+  const auto any = [&](auto&& holds) {
+    return std::any_of(body.materials.begin(), body.materials.end(), [&](const Material& m) { return holds(m); });
+  };
+  body.points.tracks_deformation = body.materials.empty() ? fill.law != exchange::Law::rate
+                                                          : any([](const Material& m) { return m.is_hyperelastic(); });
+  body.points.yields = any([](const Material& m) { return yields(m.law); });
+  body.points.hardens = any([](const Material& m) { return m.law == exchange::Law::cam_clay; });
+  body.mean_volume = body.points.yields && body.integration == StressIntegration::full_cells;
   body.points.has_domains = Space::has_domains;
   return body;
 }

@@ -1,5 +1,7 @@
 #include "settle/mpm/explicit_step.hpp"
 
+#include <optional>
+
 #include "kernel_step.hpp"
 #include "pointwise_step.hpp"
 
@@ -8,9 +10,24 @@ namespace settle::mpm {
 template <class Space>
 class ExplicitStep<Space>::Phases {
 public:
-  Phases(Body<Space>& body, int threads) : step(body, threads), n_nodes(body.space.n_nodes()) {}
-  std::conditional_t<has_kernels<Space>, KernelStep<Space>, PointwiseStep<Space>> step;
+  Phases(Body<Space>& body, int threads) : n_nodes(body.space.n_nodes()) {
+    if (body.materials.empty())
+      fast_.emplace(body, threads);
+    else
+      pointwise_.emplace(body, threads);
+  }
+  /// Calls `action` with the steps of this body.
+  template <class Action>
+  auto with(Action&& action) {
+    return fast_ ? action(*fast_) : action(*pointwise_);
+  }
   int n_nodes;
+
+private:
+  /// Kernels know bodies of one simple material.
+  using Fast = std::conditional_t<has_kernels<Space>, KernelStep<Space>, PointwiseStep<Space>>;
+  std::optional<Fast> fast_;
+  std::optional<PointwiseStep<Space>> pointwise_;
 };
 
 template <class Space>
@@ -22,35 +39,35 @@ ExplicitStep<Space>::~ExplicitStep() = default;
 
 template <class Space>
 void ExplicitStep<Space>::scatter(const Gravity& gravity) {
-  phases_->step.scatter(gravity);
+  phases_->with([&](auto& step) { step.scatter(gravity); });
 }
 template <class Space>
 double ExplicitStep<Space>::stable_time_step(double courant) const {
-  return phases_->step.stable_time_step(courant);
+  return phases_->with([&](auto& step) { return step.stable_time_step(courant); });
 }
 template <class Space>
 std::vector<double> ExplicitStep<Space>::column_heights() const {
-  return phases_->step.column_heights();
+  return phases_->with([&](auto& step) { return step.column_heights(); });
 }
 template <class Space>
 ForceSums ExplicitStep<Space>::accelerate(double damping) {
-  return phases_->step.accelerate(damping);
+  return phases_->with([&](auto& step) { return step.accelerate(damping); });
 }
 template <class Space>
 StepEnergy ExplicitStep<Space>::displace(double kick, double dt, double kept) {
-  return phases_->step.displace(kick, dt, kept);
+  return phases_->with([&](auto& step) { return step.displace(kick, dt, kept); });
 }
 template <class Space>
 void ExplicitStep<Space>::move() {
-  phases_->step.move();
+  phases_->with([&](auto& step) { step.move(); });
 }
 template <class Space>
 void ExplicitStep<Space>::gather() {
-  phases_->step.gather();
+  phases_->with([&](auto& step) { step.gather(); });
 }
 template <class Space>
 auto ExplicitStep<Space>::node(int node) const -> NodeState<dim> {
-  return phases_->step.node(node);
+  return phases_->with([&](auto& step) { return step.node(node); });
 }
 template <class Space>
 auto ExplicitStep<Space>::nodes() const -> Nodes<dim> {
@@ -61,7 +78,7 @@ auto ExplicitStep<Space>::nodes() const -> Nodes<dim> {
 }
 template <class Space>
 void ExplicitStep<Space>::set_displacement(int node, const Vector<dim>& displacement) {
-  phases_->step.set_displacement(node, displacement);
+  phases_->with([&](auto& step) { step.set_displacement(node, displacement); });
 }
 
 #define SETTLE_INSTANTIATE(Space) template class ExplicitStep<Space>;

@@ -17,8 +17,7 @@ std::pair<double, double> levels_of(const exchange::Geometry& geometry, int laye
   std::pair<double, double> levels{-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
   for (const exchange::Polygon& polygon : geometry.polygons)
     for (const auto& corner : polygon.corners)
-      if (polygon.layer == layer)
-        levels = {std::max(levels.first, corner[1]), std::min(levels.second, corner[1])};
+      if (polygon.layer == layer) levels = {std::max(levels.first, corner[1]), std::min(levels.second, corner[1])};
   return levels;
 }
 

@@ -19,7 +19,7 @@ double logarithm_difference(double a, double b) {
 } // namespace
 
 template <int dim>
-Hencky<dim>::Hencky(const Lame& lame, const Tensor<dim>& b) : lame_(lame) {
+LogarithmicStrain<dim>::LogarithmicStrain(const Tensor<dim>& b) {
   Eigen::SelfAdjointEigenSolver<Tensor<dim>> solver;
   solver.compute(b);
   principal_ = solver.eigenvalues();
@@ -27,18 +27,18 @@ Hencky<dim>::Hencky(const Lame& lame, const Tensor<dim>& b) : lame_(lame) {
 }
 
 template <int dim>
-Stress<dim> Hencky<dim>::kirchhoff() const {
+Tensor<dim> LogarithmicStrain<dim>::strain() const {
   const Vector<dim> strain = 0.5 * principal_.array().log().matrix();
-  return stress_increment<dim>(lame_, axes_ * strain.asDiagonal() * axes_.transpose());
+  return axes_ * strain.asDiagonal() * axes_.transpose();
 }
 
 template <int dim>
-Stress<dim> Hencky<dim>::variation(const Tensor<dim>& db) const {
+Tensor<dim> LogarithmicStrain<dim>::variation(const Tensor<dim>& db) const {
   Tensor<dim> strain = 0.5 * axes_.transpose() * db * axes_;
   for (int i = 0; i < dim; ++i)
     for (int j = 0; j < dim; ++j)
       strain(i, j) *= logarithm_difference(principal_[i], principal_[j]);
-  return stress_increment<dim>(lame_, axes_ * strain * axes_.transpose());
+  return axes_ * strain * axes_.transpose();
 }
 
 template <int dim>
@@ -56,8 +56,8 @@ Stress<dim> NeoHookean<dim>::variation(const Tensor<dim>& db) const {
   return {volumetric * Tensor<dim>::Identity() + lame_.mu * db, volumetric};
 }
 
-template class Hencky<2>;
-template class Hencky<3>;
+template class LogarithmicStrain<2>;
+template class LogarithmicStrain<3>;
 template class NeoHookean<2>;
 template class NeoHookean<3>;
 

@@ -1,3 +1,5 @@
+// The phases of the explicit step by the kernels.
+
 #include "kernel_step.hpp"
 
 #include <algorithm>
@@ -8,37 +10,12 @@
 
 namespace settle::mpm {
 
-namespace {
-
-using Size = std::size_t;
-
-constexpr Size lanes = 8;                  ///< kernels read and write so many numbers at a time
-constexpr int strip_squares = 256;         ///< at least, so that loops over a strip are long
-constexpr int most_stray_share = 32;       ///< points are sorted once more than 1/32 of them have strayed
-constexpr int least_strays = 8;            ///< or more than these, in small bodies
-constexpr Size points_per_thread = 10'000; ///< below this a thread costs more than it brings
-
-Size size_of(int i) {
-  return static_cast<Size>(i);
-}
-
-Size rounded_up(Size n, Size to) {
-  return (n + to - 1) / to * to;
-}
-
-/// The first number of a vector that starts a cache line.
-double* aligned(std::vector<double>& values) {
-  const auto address = reinterpret_cast<std::uintptr_t>(values.data());
-  return values.data() + (rounded_up(address, 64) - address) / sizeof(double);
-}
-
-} // namespace
-
 template <class Space>
 const kernel::Phases& KernelStep<Space>::phases_of(const kernel::Variant& variant) {
-  if constexpr (std::is_same_v<Space, TriangleSpace>) return variant.triangles;
-  if constexpr (std::is_same_v<Space, QuadrilateralSpace>) return variant.quadrilaterals;
-  return variant.b_splines;
+  if constexpr (std::is_same_v<Space, TriangleSpace>) return *variant.triangles;
+  if constexpr (std::is_same_v<Space, TetrahedronSpace>) return *variant.tetrahedra;
+  if constexpr (std::is_same_v<Space, BoxSpace<dim>>) return dim == 2 ? *variant.quadrilaterals : *variant.hexahedra;
+  return dim == 2 ? *variant.plane_b_splines : *variant.solid_b_splines;
 }
 
 template <class Space>
@@ -50,127 +27,12 @@ KernelStep<Space>::KernelStep(Body<Space>& body, int threads, const kernel::Vari
   allocate_nodes();
   const Size n = size_of(step_.n_strips);
   touched_.assign(n, 0), active_.assign(n + 1, 0);
-  weight_.resize(n), sums_.resize(n + 1), layers_.resize(n), strays_.resize(n), stray_arrays_.resize(n);
-  crossings_.resize(n);
+  weight_.resize(n), sums_.resize(n + 1), layers_.resize(n);
+  const Size tiles = n * size_of(step_.strip_tiles);
+  strays_.resize(tiles), stray_arrays_.resize(tiles), crossings_.resize(tiles);
   step_.touched = touched_.data(), step_.weight = weight_.data(), step_.sums = sums_.data();
   step_.strays = stray_arrays_.data();
   step_.context = this, step_.crossed = crossed, step_.deform = deform;
-}
-
-template <class Space>
-void KernelStep<Space>::set_grid() {
-  const Space& space = body_.space;
-  step_.columns = space.columns(), step_.rows = space.rows(), step_.node_columns = space.node_columns();
-  step_.overlap = space.node_columns() - space.columns();
-  const int wanted = (strip_squares + step_.node_columns - 1) / step_.node_columns;
-  step_.strip_rows = std::min(step_.rows, std::max(4 / step_.overlap, wanted));
-  while (step_.rows % step_.strip_rows != 0 && step_.rows % step_.strip_rows < step_.overlap)
-    ++step_.strip_rows; // also the last strip owns all nodes that the one below adds to
-  step_.n_strips = (step_.rows + step_.strip_rows - 1) / step_.strip_rows;
-  for (int d = 0; d < dim; ++d)
-    step_.origin[d] = space.origin()[d];
-  step_.inverse_size = 1.0 / space.size();
-  step_.cell_volume = space.cell_volume();
-  step_.full_cells = body_.integration == StressIntegration::full_cells;
-  const int c = step_.node_columns;
-  int edge = 0;
-  for (int up = 0; up <= step_.overlap; ++up)
-    for (int right = up == 0 ? 1 : -step_.overlap; right <= step_.overlap; ++right)
-      if (!(Space::has_constant_gradients && up == 1 && right == 1)) step_.edge[edge++] = right + c * up;
-}
-
-template <class Space>
-void KernelStep<Space>::set_material() {
-  step_.lambda = body_.lame.lambda, step_.mu = body_.lame.mu, step_.density = body_.density;
-  step_.rate = body_.law == exchange::Law::rate && !body_.jaumann;
-  step_.hyperelastic = body_.law != exchange::Law::rate;
-}
-
-template <class Space>
-void KernelStep<Space>::allocate_nodes() {
-  const Size columns = size_of(step_.node_columns), overlap = size_of(step_.overlap);
-  const Size margin = rounded_up(overlap * (columns + 1) + lanes, lanes);
-  const Size n = size_of(step_.rows + step_.overlap) * columns, padded = n + 2 * margin;
-  step_.n_node_arrays = kernel::node_matrix + 1 + phases_.n_edges;
-  for (int k = 0; k < step_.n_node_arrays; ++k) {
-    if (k == kernel::node_external + 1) continue; // until points have a force
-    nodes_[size_of(k)].assign(padded, 0.0);
-    step_.node[k] = nodes_[size_of(k)].data() + margin;
-  }
-  overlap_nodes_.assign(size_of(step_.n_strips * step_.n_node_arrays) * overlap * columns, 0.0);
-  step_.overlap_nodes = overlap_nodes_.data();
-  if (step_.full_cells && phases_.n_means > 0) {
-    step_.mean_stride = padded;
-    mean_.assign(size_of(phases_.n_means) * padded, 0.0);
-    step_.mean = mean_.data() + margin;
-  }
-  held_.assign(n, 0);
-  for (Size i = 0; i < n; ++i)
-    for (Size d = 0; d < dim; ++d)
-      held_[i] |= static_cast<std::uint8_t>(body_.fixed[i][d] ? 1U << d : 0U);
-  step_.held = held_.data();
-  column_volume_.assign(size_of(step_.n_strips * step_.columns), 0.0);
-  step_.column_volume = column_volume_.data();
-}
-
-template <class Space>
-void KernelStep<Space>::allocate_scratch() {
-  const Size columns = size_of(step_.node_columns), overlap = size_of(step_.overlap), rows = size_of(step_.strip_rows);
-  step_.margin = rounded_up(overlap * (columns + 1) + lanes, lanes);
-  step_.stride = rounded_up(rows * columns + 2 * step_.margin, 64) + lanes; // no two quantities in one set of a cache
-  step_.n_nodes = rounded_up((rows + overlap) * columns, lanes) + lanes;
-  const Size block = rounded_up(size_of(phases_.block), lanes), cells = size_of(phases_.quantities) * step_.stride;
-  const Size nodes = size_of(step_.n_node_arrays) * step_.n_nodes;
-  for (Size thread = scratch_.size(); thread < size_of(crew_.size()); ++thread) {
-    scratch_.emplace_back(block + cells + nodes + lanes, 0.0);
-    double* first = aligned(scratch_.back());
-    scratch_of_.push_back({.block = first, .cells = first + block, .nodes = first + block + cells});
-  }
-}
-
-/// What follows from where the points are; to be called after they have been sorted.
-template <class Space>
-void KernelStep<Space>::take_stock() {
-  sorts_ = body_.cells.sorts;
-  const auto row_begin = [&](int row) {
-    return body_.cells.begin[size_of(Space::cells_per_square) * size_of(step_.columns) * size_of(row)];
-  };
-  std::vector<Size> weights(size_of(step_.n_strips) + 1, 0);
-  for (int strip = 0; strip < step_.n_strips; ++strip) {
-    const Size s = size_of(strip), first = row_begin(strip * step_.strip_rows),
-               last = row_begin(std::min(step_.rows, (strip + 1) * step_.strip_rows));
-    weights[s] = last - first;
-    touched_[s] = 0;
-    for (Size p = first; p < last; ++p)
-      note(s, body_.points.layer[p]);
-  }
-  const auto useful = static_cast<int>(std::max<Size>(1, body_.points.size() / points_per_thread));
-  crew_.divide(weights, std::min(threads_, useful));
-  allocate_scratch();
-  point_to_points();
-}
-
-/// A point of this layer is in the strip.
-template <class Space>
-void KernelStep<Space>::note(Size strip, std::int32_t layer) {
-  Layers& layers = layers_[strip];
-  if (touched_[strip] == 0) layers = {layer, layer};
-  touched_[strip] = 1;
-  layers = {std::min(layers.lowest, layer), std::max(layers.highest, layer)};
-}
-
-template <class Space>
-void KernelStep<Space>::point_to_points() {
-  auto& points = body_.points;
-  step_.points = {
-      .mass = points.mass.data(),
-      .volume = points.volume.data(),
-      .position = {points.position[0].data(), points.position[1].data()},
-      .velocity = {points.velocity[0].data(), points.velocity[1].data()},
-      .stress = {points.stress[0].data(), points.stress[1].data(), points.stress[2].data(), points.stress[3].data()},
-      .layer = points.layer.data(),
-      .force = {nullptr, nullptr}};
-  step_.begin = body_.cells.begin.data();
 }
 
 template <class Space>
@@ -183,13 +45,14 @@ void KernelStep<Space>::set_gravity(const Gravity& gravity) {
     const bool alike = lowest == highest || step_.gravity == step_.ramped_gravity || gravity.ramped_layer < lowest ||
                        gravity.ramped_layer > highest;
     weight_[s] = {.kind = alike ? kernel::Weight::uniform : kernel::Weight::by_layer, .gravity = gravity.on(lowest)};
-    if (gravity.besides) weight_[s].kind = kernel::Weight::with_force;
+    if (dim == 2 && gravity.besides) weight_[s].kind = kernel::Weight::with_force;
   }
-  if (gravity.besides) find_force(gravity);
+  if constexpr (dim == 2)
+    if (gravity.besides) find_force(gravity);
 }
 
 template <class Space>
-void KernelStep<Space>::find_force(const Gravity& gravity) {
+void KernelStep<Space>::find_force(const Gravity& gravity) requires(dim == 2) {
   gather();
   for (auto& component : force_)
     component.resize(body_.points.size());
@@ -200,10 +63,10 @@ void KernelStep<Space>::find_force(const Gravity& gravity) {
   }
   for (int d = 0; d < dim; ++d)
     step_.points.force[d] = force_[size_of(d)].data();
-  const auto external = size_of(kernel::node_external + 1);
+  const auto external = size_of(Array::external(0));
   if (!nodes_[external].empty()) return;
-  nodes_[external].assign(nodes_[kernel::node_mass].size(), 0.0);
-  step_.node[external] = nodes_[external].data() + (step_.node[kernel::node_mass] - nodes_[kernel::node_mass].data());
+  nodes_[external].assign(nodes_[Array::mass].size(), 0.0);
+  step_.node[external] = nodes_[external].data() + (step_.node[Array::mass] - nodes_[Array::mass].data());
 }
 
 /// Nodes carry something where their strip or the one below holds points; others are cleared once.
@@ -212,17 +75,19 @@ void KernelStep<Space>::activate_strips() {
   for (int strip = 0; strip <= step_.n_strips; ++strip) {
     const Size s = size_of(strip);
     const bool active = (strip < step_.n_strips && touched_[s] != 0) || (strip > 0 && touched_[s - 1] != 0);
-    if (active_[s] != 0 && !active) {
-      const Size columns = size_of(step_.node_columns);
-      const Size first =
-          size_of(std::min(step_.rows, strip * step_.strip_rows)) * columns; // the last strip may be short
-      const int end =
-          strip == step_.n_strips ? step_.rows + step_.overlap : std::min(step_.rows, (strip + 1) * step_.strip_rows);
-      for (int k = 0; k < step_.n_node_arrays; ++k)
-        if (step_.node[k] != nullptr) std::fill(step_.node[k] + first, step_.node[k] + size_of(end) * columns, 0.0);
-    }
+    if (active_[s] != 0 && !active) clear_nodes(strip);
     active_[s] = active ? 1 : 0;
   }
+}
+
+template <class Space>
+void KernelStep<Space>::clear_nodes(int strip) {
+  const Size columns = size_of(step_.node_columns);
+  const auto row = [&](int s) { return std::min(step_.rows, s * step_.strip_rows); }; // the last strip may be short
+  const int last = strip == step_.n_strips ? step_.rows + step_.overlap : row(strip + 1);
+  for (int k = 0; k < step_.n_node_arrays; ++k)
+    if (step_.node[k] != nullptr)
+      std::fill(step_.node[k] + size_of(row(strip)) * columns, step_.node[k] + size_of(last) * columns, 0.0);
 }
 
 template <class Space>
@@ -254,7 +119,7 @@ std::vector<double> KernelStep<Space>::column_heights() const {
     for (Size column = 0; touched_[s] != 0 && column < heights.size(); ++column)
       heights[column] += column_volume_[s * heights.size() + column];
   for (double& height : heights)
-    height = body_.space.origin()[1] + height / body_.space.size();
+    height = body_.space.origin()[dim - 1] + height / body_.space.column_area();
   return heights;
 }
 
@@ -299,94 +164,11 @@ void KernelStep<Space>::move() {
 }
 
 template <class Space>
-void KernelStep<Space>::gather() {
-  if (n_strays_ > 0) {
-    for (StripStrays& strays : strays_)
-      strays.bring_home(body_.points);
-    n_strays_ = 0;
-    body_.sort();
-  }
-  if (sorts_ != body_.cells.sorts) take_stock();
-}
-
-/// Other laws, forces by point and averages are told of points by their place; there points are sorted at once.
-template <class Space>
-bool KernelStep<Space>::may_stray() const {
-  return step_.rate && !body_.average_stress && step_.points.force[0] == nullptr;
-}
-
-template <class Space>
-void KernelStep<Space>::sort_out_crossings() {
-  bool sort = false;
-  for (int strip = 0; strip < step_.n_strips; ++strip) {
-    auto& crossings = crossings_[size_of(strip)];
-    for (auto crossing = crossings.rbegin(); crossing != crossings.rend(); ++crossing) // strays from the last one on
-      if (crossing->stray)
-        move_stray(strip, crossing->index);
-      else if (may_stray())
-        n_strays_ += take_stray(crossing->index) ? 1U : 0U;
-      else
-        sort = true;
-    crossings.clear();
-  }
-  if (sort) body_.sort(), take_stock();
-  const Size most = body_.points.size() / most_stray_share + least_strays;
-  if (n_strays_ > most) gather();
-}
-
-template <class Space>
-int KernelStep<Space>::locate(const Vector<dim>& x, Size p) const {
-  const int cell = body_.space.locate(x);
-  if (cell < 0) throw PointLost(body_.points.id[p], x, body_.space.box());
-  return cell;
-}
-
-/// Takes a point that has left its cell out of the points; false if there is none any more, only its place.
-template <class Space>
-bool KernelStep<Space>::take_stray(Size p) {
-  auto& points = body_.points;
-  const bool is_empty = points.volume[p] == 0.0 && points.mass[p] == 0.0;
-  if (!is_empty) {
-    const int cell = locate(points.position_of(p), p);
-    const Size strip = size_of(strip_of_cell(cell));
-    strays_[strip].take(points, p, cell);
-    note(strip, points.layer[p]);
-  }
-  const Vector<dim> centre = centre_of(points.cell[p]);
-  for (Size d = 0; d < dim; ++d)
-    points.position[d][p] = centre[static_cast<Eigen::Index>(d)];
-  return !is_empty;
-}
-
-template <class Space>
-void KernelStep<Space>::move_stray(int strip, Size i) {
-  StripStrays& strays = strays_[size_of(strip)];
-  const Size home = strays.home(i);
-  const int cell = locate(strays.position_of(i), home), new_strip = strip_of_cell(cell);
-  if (new_strip == strip) return strays.set_cell(i, cell);
-  strays.hand_to(strays_[size_of(new_strip)], i, cell);
-  note(size_of(new_strip), body_.points.layer[home]);
-}
-
-template <class Space>
-auto KernelStep<Space>::centre_of(int cell) const -> Vector<dim> {
-  const auto average = body_.space.cell_average(cell);
-  Vector<dim> centre = Vector<dim>::Zero();
-  for (int i = 0; i < average.size(); ++i)
-    centre += average.value(i) * body_.space.node_position(average.node(i));
-  return centre;
-}
-
-template <class Space>
-void KernelStep<Space>::crossed(void* context, int strip, bool stray, Size index) {
-  static_cast<KernelStep*>(context)->crossings_[size_of(strip)].push_back({index, stray});
-}
-
-template <class Space>
 void KernelStep<Space>::deform(void* context, Size first, int count, const double* gradient, Size stride) {
   for (Size q = 0; q < size_of(count); ++q) {
     Tensor<dim> g;
-    g << gradient[q], gradient[stride + q], gradient[2 * stride + q], gradient[3 * stride + q];
+    for (int k = 0; k < dim * dim; ++k)
+      g(k / dim, k % dim) = gradient[size_of(k) * stride + q];
     deform_points(static_cast<KernelStep*>(context)->body_, {first + q, first + q + 1}, IncrementalKinematics<dim>(g),
                   StrainMeasure::midpoint);
   }
@@ -410,12 +192,12 @@ auto KernelStep<Space>::node(int node) const -> NodeState<dim> {
                             size_of(node % step_.node_columns)];
     return sum;
   };
-  NodeState<dim> state{.mass = value(kernel::node_mass)};
+  NodeState<dim> state{.mass = value(Array::mass)};
   for (int d = 0; d < dim; ++d) {
-    const double momentum = value(kernel::node_momentum + d), force = value(kernel::node_force + d);
+    const double momentum = value(Array::momentum + d), force = value(Array::force + d);
     state.momentum[d] = state.displacement[d] = momentum;
     state.internal[d] = state.acceleration[d] = force;
-    state.external[d] = value(kernel::node_external + dim - 1 - d);
+    state.external[d] = value(Array::external(d));
   }
   return state;
 }
@@ -424,11 +206,10 @@ template <class Space>
 void KernelStep<Space>::set_displacement(int node, const Vector<dim>& displacement) {
   nodes_complete_ = true;
   for (int d = 0; d < dim; ++d)
-    step_.node[kernel::node_momentum + d][node] = displacement[d];
+    step_.node[Array::momentum + d][node] = displacement[d];
 }
 
-template class KernelStep<TriangleSpace>;
-template class KernelStep<QuadrilateralSpace>;
-template class KernelStep<BSplineSpace<2>>;
+#define SETTLE_INSTANTIATE(Space) template class KernelStep<Space>;
+SETTLE_FOR_EVERY_SPACE_WITH_KERNELS(SETTLE_INSTANTIATE)
 
 } // namespace settle::mpm

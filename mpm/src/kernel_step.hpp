@@ -1,8 +1,6 @@
 /// \file
-/// The explicit step by the kernels: structured triangles, quadrilaterals and B-splines.
+/// The explicit step by the kernels: simplices, quadrilaterals, hexahedra and B-splines on structured grids.
 #pragma once
-
-#include <type_traits>
 
 #include "crew.hpp"
 #include "kernel/variants.hpp"
@@ -14,11 +12,18 @@ namespace settle::mpm {
 
 /// Has this space kernels? The others go point by point.
 template <class Space>
-inline constexpr bool has_kernels = std::is_same_v<Space, TriangleSpace> || std::is_same_v<Space, QuadrilateralSpace> ||
-                                    std::is_same_v<Space, BSplineSpace<2>>;
+inline constexpr bool has_kernels = !Space::has_domains;
 
-/// The phases of ExplicitStep. Rows of squares are taken in strips that depend on the grid alone, and every sum is over
-/// a strip first: results do not depend on the number of threads.
+#define SETTLE_FOR_EVERY_SPACE_WITH_KERNELS(X)                                                                         \
+  X(TriangleSpace)                                                                                                     \
+  X(QuadrilateralSpace)                                                                                                \
+  X(BSplineSpace<2>)                                                                                                   \
+  X(TetrahedronSpace)                                                                                                  \
+  X(HexahedronSpace)                                                                                                   \
+  X(BSplineSpace<3>)
+
+/// The phases of ExplicitStep. Rows of squares are taken in strips, and their lines in tiles, that depend on the grid
+/// alone, and every sum is over a tile and a strip first: results do not depend on the number of threads.
 template <class Space>
 class KernelStep {
 public:
@@ -41,12 +46,16 @@ public:
   void set_displacement(int node, const Vector<dim>& displacement);
 
 private:
+  using Size = std::size_t;
+  using Array = kernel::NodeArrays<dim>;
+  static Size size_of(int i) { return static_cast<Size>(i); }
+
   /// What a strip's points have in common since they were sorted.
   struct Layers {
     std::int32_t lowest, highest;
   };
   struct Crossing {
-    std::size_t index;
+    Size index;
     bool stray;
   };
 
@@ -66,35 +75,38 @@ private:
   std::vector<std::uint8_t> held_, touched_, active_;
   std::vector<kernel::StripWeight> weight_;
   std::vector<kernel::StripSums> sums_;
-  std::vector<Layers> layers_;
-  std::vector<StripStrays> strays_;
+  std::vector<Layers> layers_;          ///< by strip
+  std::vector<TileStrays<dim>> strays_; ///< by tile, as all that follows
   std::vector<kernel::Strays> stray_arrays_;
   std::vector<std::vector<Crossing>> crossings_;
-  std::size_t n_strays_ = 0;
+  Size n_strays_ = 0;
 
   [[nodiscard]] static const kernel::Phases& phases_of(const kernel::Variant& variant);
-  [[nodiscard]] int strip_of_cell(int cell) const { return body_.space.row_of(cell) / step_.strip_rows; }
+  [[nodiscard]] Size tile_of(int cell) const;
+  [[nodiscard]] Size strip_of(Size tile) const { return tile / size_of(step_.strip_tiles); }
   [[nodiscard]] bool may_stray() const;
-  [[nodiscard]] bool is_active(int strip) const { return active_[static_cast<std::size_t>(strip)] != 0; }
+  [[nodiscard]] bool is_active(int strip) const { return active_[size_of(strip)] != 0; }
 
   void set_grid();
+  void divide_rows();
   void set_material();
   void allocate_nodes();
   void allocate_scratch();
   void take_stock();
   void point_to_points();
   void set_gravity(const Gravity& gravity);
-  void find_force(const Gravity& gravity);
+  void find_force(const Gravity& gravity) requires(dim == 2);
   void activate_strips();
-  void note(std::size_t strip, std::int32_t layer);
+  void clear_nodes(int strip);
+  void note(Size strip, std::int32_t layer);
   void sort_out_crossings();
-  bool take_stray(std::size_t p);
-  void move_stray(int strip, std::size_t i);
-  [[nodiscard]] int locate(const Vector<dim>& x, std::size_t p) const;
+  bool take_stray(Size p);
+  void move_stray(Size tile, Size i);
+  [[nodiscard]] int locate(const Vector<dim>& x, Size p) const;
   [[nodiscard]] Vector<dim> centre_of(int cell) const;
 
-  static void crossed(void* context, int strip, bool stray, std::size_t index);
-  static void deform(void* context, std::size_t first, int count, const double* gradient, std::size_t stride);
+  static void crossed(void* context, int tile, bool stray, Size index);
+  static void deform(void* context, Size first, int count, const double* gradient, Size stride);
 };
 
 } // namespace settle::mpm

@@ -31,7 +31,8 @@ void fill_cell(Body<Space>& body, const Box<Space::dim>& box, std::size_t which,
                      .refilled = origin.refilled,
                      .position = box.corner + local.cwiseProduct(box.size),
                      .volume = volume,
-                     .density = body.density,
+                     .density = body.density_of(origin.layer),
+                     .preconsolidation_pressure = body.preconsolidation_of(origin.layer),
                      .half_lengths = box.size / (2.0 * body.layout.row_points)});
 }
 
@@ -100,7 +101,8 @@ void refill_row(Body<Space>& body, const RefillRow& row) {
                      .refilled = true,
                      .position = position,
                      .volume = sides.prod(),
-                     .density = body.density,
+                     .density = body.density_of(row.layer),
+                     .preconsolidation_pressure = body.preconsolidation_of(row.layer),
                      .half_lengths = 0.5 * sides});
   }
 }

@@ -38,6 +38,8 @@ void Points<dim>::add(const NewPoint<dim>& point) {
     for (int c = 0; c < dim; ++c)
       half_length[static_cast<std::size_t>(c)].push_back(given ? point.half_lengths[c] : square);
   }
+  if (yields) plastic_strain.push_back(0.0);
+  if (hardens) preconsolidation_pressure.push_back(point.preconsolidation_pressure);
   if (!tracks_deformation) return;
   for (auto& component : deformation)
     component.push_back(0.0);
@@ -59,6 +61,8 @@ void Points<dim>::permute(const std::vector<std::uint32_t>& order) {
   if (has_domains)
     for (auto& component : half_length)
       apply(component);
+  if (yields) apply(plastic_strain);
+  if (hardens) apply(preconsolidation_pressure);
   if (!tracks_deformation) return;
   for (auto& component : deformation)
     apply(component);

@@ -8,6 +8,7 @@
 
 #include "cell_gradients.hpp"
 #include "constitutive_update.hpp"
+#include "mean_volume.hpp"
 #include "settle/mpm/explicit_step.hpp"
 #include "settle/mpm/placement.hpp"
 
@@ -44,15 +45,15 @@ public:
     double slowness_squared = std::numeric_limits<double>::infinity();
     for (const int cell : body_.cells.occupied) {
       double mass = 0, volume = 0, stress = 0;
-      const auto [first, last] = points_in(body_, cell);
-      for (std::size_t p = first; p < last; ++p) {
+      const PointRange range = points_in(body_, cell);
+      for (std::size_t p = range.first; p < range.last; ++p) {
         mass += body_.points.mass[p];
         volume += body_.points.volume[p];
         for (std::size_t d = 0; d < dim; ++d)
           stress = std::max(stress, std::abs(body_.points.stress[d][p]));
       }
       const double density = mass / std::max(volume, integration_volume(body_, volume));
-      slowness_squared = std::min(slowness_squared, density / stiffness(mass / volume, stress));
+      slowness_squared = std::min(slowness_squared, density / stiffness(range, mass / volume, stress));
     }
     return courant * body_.space.shortest_length() * std::sqrt(slowness_squared);
   }
@@ -110,9 +111,9 @@ public:
     for (const int cell : body_.cells.occupied) {
       const CellGradients<Space> cell_gradients(body_, cell);
       cell_gradients.for_each_patch([&](const Patch<Space>& patch) {
-        Tensor<dim> gradient = Tensor<dim>::Zero();
-        for (int i = 0; i < cell_gradients.n_nodes(); ++i)
-          gradient += at(cell_gradients.node(i)).displacement * patch.gradients.col(i).transpose();
+        Tensor<dim> gradient = gradient_of(cell_gradients, patch.gradients);
+        if (body_.mean_volume)
+          gradient = with_volume_of<dim>(gradient, gradient_of(cell_gradients, cell_gradients.mean_gradients()));
         for (std::size_t p = patch.points.first; p < patch.points.last; ++p)
           move_point(cell, p);
         deform_points(body_, patch.points, IncrementalKinematics<dim>(gradient), StrainMeasure::midpoint);
@@ -145,21 +146,41 @@ private:
   }
 
   /// Stiffness of the fastest wave [Pa], the density and the largest normal stress of a cell's points given: M for the
-  /// law `rate`; M / J + |sigma| for hyperelastic laws, exact for `hencky` in uniaxial strain and a bound for
-  /// `neo-hookean`.
-  [[nodiscard]] double stiffness(double density, double stress) const {
-    const double modulus = body_.lame.constrained_modulus();
-    return body_.law == exchange::Law::rate ? modulus : modulus * density / body_.density + stress;
+  /// law `rate` and soils, by the stress of each point; M / J + |sigma| for hyperelastic laws, exact for `hencky` in
+  /// uniaxial strain and a bound for `neo-hookean`.
+  [[nodiscard]] double stiffness(PointRange range, double density, double stress) const {
+    if (body_.materials.empty()) {
+      const double modulus = body_.lame.constrained_modulus();
+      return body_.law == exchange::Law::rate ? modulus : modulus * density / body_.density + stress;
+    }
+    double largest = 0;
+    for (std::size_t p = range.first; p < range.last; ++p) {
+      const Material& material = body_.material_of(body_.points.layer[p]);
+      const double modulus = material.constrained_modulus(soil::six_of(stress_of(body_.points, p)));
+      largest = std::max(largest, material.is_hyperelastic() ? modulus * density / material.density + stress : modulus);
+    }
+    return largest;
   }
 
   void scatter_internal_force(int cell) {
     const CellGradients<Space> cell_gradients(body_, cell);
     cell_gradients.for_each_patch([&](const Patch<Space>& patch) {
       const auto stress = average_stress_of(body_.points, patch.points);
-      const typename Stencil::Gradients force = patch.volume * stress.average.tensor * patch.gradients;
+      const Tensor<dim> pull = patch.volume * stress.average.tensor;
+      typename Stencil::Gradients force = pull * patch.gradients;
+      if (body_.mean_volume) force = split_traction<Space>(pull, patch.gradients, cell_gradients.mean_gradients());
       for (int i = 0; i < cell_gradients.n_nodes(); ++i)
         at(cell_gradients.node(i)).internal += force.col(i);
     });
+  }
+
+  /// Gradient of the nodes' displacement.
+  [[nodiscard]] Tensor<dim> gradient_of(const CellGradients<Space>& cell,
+                                        const typename Stencil::Gradients& gradients) {
+    Tensor<dim> gradient = Tensor<dim>::Zero();
+    for (int i = 0; i < cell.n_nodes(); ++i)
+      gradient += at(cell.node(i)).displacement * gradients.col(i).transpose();
+    return gradient;
   }
 
   void move_point(int cell, std::size_t p) {

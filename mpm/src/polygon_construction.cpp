@@ -129,6 +129,7 @@ void place_polygons(const exchange::Case& study, int layer, const std::vector<in
                        .position = spot.position,
                        .volume = volume,
                        .density = density,
+                       .preconsolidation_pressure = body.preconsolidation_of(layer),
                        .half_lengths = Vector<2>::Constant(0.5 * std::sqrt(volume))});
     }
   }

@@ -14,13 +14,17 @@ namespace {
 constexpr double smallest_fraction = 1.0 / 64.0;
 constexpr int max_closing_increments = 200;
 
-[[noreturn]] void give_up(const StageLoad& load, const Gravity& gravity, const IncrementReport& report) {
+/// `carried`: share of the increment that found its equilibrium.
+[[noreturn]] void give_up(const StageLoad& load, const Gravity& gravity, const IncrementReport& report,
+                          double carried) {
   throw exchange::NotConverged(
       {.where = fmt::format("stage {}, gravity factor {:g} of layer {}", load.number, gravity.factor, load.layer),
-       .what = "the quasi-static increment did not converge, even in 64 parts",
+       .what = fmt::format("the quasi-static increment did not converge, even in 64 parts; {:.3f} of it is carried",
+                           carried),
        .given = fmt::format("relative out-of-balance force by iteration: {:.2e}", fmt::join(report.residuals, ", ")),
        .allowed = "mpm.quasi_static.residual",
-       .remedy = "take more mpm.quasi_static.increments, smaller elements, or mpm.scheme = \"explicit\""});
+       .remedy = "where a soil fails there is no equilibrium: mpm.scheme = \"explicit\" goes on; else take more "
+                 "mpm.quasi_static.increments, or smaller elements"});
 }
 
 /// Whether a node that `support_motion` moves belongs to a cell with points in it.
@@ -48,25 +52,28 @@ void require_touched(const Body<Space>& body, const StageLoad& load, const Eigen
 }
 
 /// Balances a share of what is out of balance at this gravity, in halved parts where Newton fails on the whole, while
-/// supports move by `support_motion`.
+/// supports move by `support_motion`. Returns how much of that share could be balanced: 1, or less where the stage may
+/// fail.
 template <class Space>
-void balance(Body<Space>& body, QuasiStaticStep<Space>& step, const StageLoad& load, const Gravity& gravity,
-             StageReport& stage, double share = 1.0, Eigen::VectorXd support_motion = {}) {
-  double part = share;
+double balance(Body<Space>& body, QuasiStaticStep<Space>& step, const StageLoad& load, const Gravity& gravity,
+               StageReport& stage, double share = 1.0, Eigen::VectorXd support_motion = {}) {
+  double part = share, carried = 0.0;
   while (true) {
     require_touched(body, load, support_motion);
     IncrementReport report = step.advance(body, gravity, part, part / share * support_motion);
     stage.linear_solves += report.linear_solves;
     if (!report.converged) {
       part *= 0.5;
-      if (part < smallest_fraction * share) give_up(load, gravity, report);
-      continue;
+      if (part >= smallest_fraction * share) continue;
+      if (load.may_fail) return carried;
+      give_up(load, gravity, report, carried);
     }
     ++stage.steps;
     stage.out_of_balance = report.out_of_balance;
     stage.base_reaction = report.base_reaction;
     stage.reactions = std::move(report.reactions);
-    if (part >= share) return;
+    if (part >= share) return 1.0;
+    carried += (1.0 - carried) * part / share;
     support_motion *= 1.0 - part / share; // what is left of it
     share = (share - part) / (1.0 - part);
     part = std::min(share, 2.0 * part);
@@ -88,7 +95,12 @@ StageReport load_quasi_static(Body<Space>& body, const StageLoad& load, const ex
       support_motion = load.drive->support_motion(load.layer, share(increment - 1), share(increment),
                                                   Space::dim * body.space.n_nodes());
     const double of_rest = releases ? 1.0 / (increments + 1 - increment) : 1.0;
-    balance(body, step, load, load.at(share(increment)), stage, of_rest, std::move(support_motion));
+    const double carried =
+        balance(body, step, load, load.at(share(increment)), stage, of_rest, std::move(support_motion));
+    if (carried < 1.0) {
+      stage.failed_at = (increment - 1 + carried) / increments;
+      return stage;
+    }
     if (increment < increments) refill_where_due(body, load.refill);
   }
   for (int k = 0; close_gap(body, load.refill) > 0; ++k) {

@@ -6,6 +6,7 @@
 
 #include "cell_gradients.hpp"
 #include "constitutive_update.hpp"
+#include "mean_volume.hpp"
 #include "settle/mpm/nodal_forces.hpp"
 #include "settle/mpm/spaces.hpp"
 #include "tangent_matrix.hpp"
@@ -61,15 +62,25 @@ Numbering number_unknowns(const Body<Space>& body) {
   return numbering;
 }
 
-/// Deformation of a patch in an increment of the nodes' displacement.
+/// Gradient of an increment of the nodes' displacement.
 template <class Space>
-IncrementalKinematics<Space::dim> kinematics_of(const CellGradients<Space>& cell, const Patch<Space>& patch,
-                                                const Eigen::VectorXd& displacement) {
+Tensor<Space::dim> gradient_of(const CellGradients<Space>& cell, const typename Space::Stencil::Gradients& gradients,
+                               const Eigen::VectorXd& displacement) {
   constexpr int dim = Space::dim;
   Tensor<dim> gradient = Tensor<dim>::Zero();
   for (int i = 0; i < cell.n_nodes(); ++i)
-    gradient += displacement.template segment<dim>(dim * cell.node(i)) * patch.gradients.col(i).transpose();
-  return IncrementalKinematics<dim>(gradient);
+    gradient += displacement.template segment<dim>(dim * cell.node(i)) * gradients.col(i).transpose();
+  return gradient;
+}
+
+/// Deformation of a patch that its points feel in an increment of the nodes' displacement.
+template <class Space>
+IncrementalKinematics<Space::dim> kinematics_of(const Body<Space>& body, const CellGradients<Space>& cell,
+                                                const Patch<Space>& patch, const Eigen::VectorXd& displacement) {
+  const Tensor<Space::dim> own = gradient_of(cell, patch.gradients, displacement);
+  if (!body.mean_volume) return IncrementalKinematics<Space::dim>(own);
+  return IncrementalKinematics<Space::dim>(
+      with_volume_of<Space::dim>(own, gradient_of(cell, cell.mean_gradients(), displacement)));
 }
 
 /// A square matrix, on the stack where it is small enough.
@@ -109,6 +120,40 @@ void add_patch(const Body<Space>& body, const CellGradients<Space>& cell, const 
   }
 }
 
+/// The same for a body with `mean_volume`: a gradient h on top of the increment is felt as
+/// h + (tr(h of the cell) - tr h) / dim I.
+template <class Space>
+void add_patch_of_mean_volume(const Body<Space>& body, const CellGradients<Space>& cell, const Patch<Space>& patch,
+                              const Eigen::VectorXd& displacement, CellContribution<Space>& sum) {
+  constexpr int dim = Space::dim;
+  using Gradients = typename Space::Stencil::Gradients;
+  const Tensor<dim> unit = Tensor<dim>::Identity();
+  const auto current = [&](const Gradients& gradients) -> Gradients {
+    return (unit + gradient_of(cell, gradients, displacement)).inverse().transpose() * gradients;
+  };
+  const Gradients g = current(patch.gradients), m = current(cell.mean_gradients());
+  const auto kinematics = kinematics_of(body, cell, patch, displacement);
+  const Response<dim> response = respond(body, patch.points, average_stress_of(body.points, patch.points), kinematics);
+  const double volume = patch.volume * kinematics.volume_ratio, mean = response.stress.trace() / dim;
+  const Tensor<dim> deviator = response.stress - mean * unit;
+  const Gradients by_point = volume * deviator * g, by_cell = volume * mean * m;
+  Tensor<dim> by_swelling = Tensor<dim>::Zero();
+  for (std::size_t c = 0; c < dim; ++c)
+    by_swelling += response.by_gradient[c][c];
+  for (int j = 0; j < cell.n_nodes(); ++j) {
+    sum.force.template segment<dim>(dim * j) += by_point.col(j) + by_cell.col(j);
+    for (int b = 0; b < dim; ++b) {
+      Tensor<dim> d_sigma = (m(b, j) - g(b, j)) / dim * by_swelling;
+      for (int a = 0; a < dim; ++a)
+        d_sigma += g(a, j) * response.by_gradient[static_cast<std::size_t>(b)][static_cast<std::size_t>(a)];
+      const Gradients d_traction = volume * split_traction<Space>(d_sigma, g, m) + m(b, j) * (by_point + by_cell);
+      for (int i = 0; i < cell.n_nodes(); ++i)
+        sum.tangent.template block<dim, 1>(dim * i, dim * j + b) +=
+            d_traction.col(i) - g(b, i) * by_point.col(j) - m(b, i) * by_cell.col(j);
+    }
+  }
+}
+
 /// Moves the points with the nodes and deforms them with their patch.
 template <class Space>
 void move_points(Body<Space>& body, const Eigen::VectorXd& displacement) {
@@ -117,7 +162,7 @@ void move_points(Body<Space>& body, const Eigen::VectorXd& displacement) {
   for (const int cell : body.cells.occupied) {
     const CellGradients<Space> cell_gradients(body, cell);
     cell_gradients.for_each_patch([&](const Patch<Space>& patch) {
-      const auto kinematics = kinematics_of(cell_gradients, patch, displacement);
+      const auto kinematics = kinematics_of(body, cell_gradients, patch, displacement);
       for (std::size_t p = patch.points.first; p < patch.points.last; ++p) {
         const auto stencil = body.space.stencil(cell, points, p);
         Vector<dim> move = Vector<dim>::Zero();
@@ -160,9 +205,13 @@ struct QuasiStaticStep<Space>::System {
       const CellGradients<Space> cell_gradients(body, cell);
       CellContribution<Space> sum;
       cell_gradients.for_each_patch([&](const Patch<Space>& patch) {
-        const auto kinematics = kinematics_of(cell_gradients, patch, displacement);
+        const auto kinematics = kinematics_of(body, cell_gradients, patch, displacement);
         sound = sound && kinematics.volume_ratio > 0.0;
-        if (sound) add_patch(body, cell_gradients, patch, kinematics, sum);
+        if (!sound) return;
+        if (body.mean_volume)
+          add_patch_of_mean_volume(body, cell_gradients, patch, displacement, sum);
+        else
+          add_patch(body, cell_gradients, patch, kinematics, sum);
       });
       if (!sound) return false;
       for (int i = 0; i < cell_gradients.n_nodes(); ++i)

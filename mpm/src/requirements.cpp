@@ -12,6 +12,7 @@
 
 #include "settle/exchange/errors.hpp"
 #include "settle/exchange/fitting_size.hpp"
+#include "settle/mpm/material.hpp"
 #include "stage_requirements.hpp"
 
 namespace settle::mpm {
@@ -85,17 +86,58 @@ void require_points_that_fit(const exchange::Case& study) {
        .remedy = fmt::format("set mpm.points_per_element = {}", kind.point_counts.front())});
 }
 
-void require_law_that_fits(const exchange::Case& study) {
-  if (study.fill().law == exchange::Law::rate) return;
-  const auto refuse = [&](const char* key) {
+/// Options that are not for every law, layer by layer.
+void require_law_that_fits(const exchange::Case& study, const exchange::Material& material) {
+  const auto refuse = [&](const char* key, const char* laws, const char* why) {
     throw exchange::InputError({.where = study.where(key),
-                                .what = fmt::format("{} is an option of the law \"rate\"", key),
-                                .given = fmt::format("{} = true with law = {}", key, quoted(study.fill().law)),
-                                .allowed = "false: hyperelastic stress follows from the deformation alone",
+                                .what = fmt::format("{} is an option of {}", key, laws),
+                                .given = fmt::format("{} = true with law = {}", key, quoted(material.law)),
+                                .allowed = fmt::format("false: {}", why),
                                 .remedy = fmt::format("set {} = false, or the material's law = \"rate\"", key)});
   };
-  if (study.mpm.average_stress) refuse("mpm.average_stress");
-  if (study.mpm.jaumann) refuse("mpm.jaumann");
+  const bool is_rate = material.law == exchange::Law::rate;
+  const char* by_deformation = "hyperelastic stress follows from the deformation alone";
+  if (study.mpm.average_stress && is_soil(material.law))
+    refuse("mpm.average_stress", "the law \"rate\"", "an average of stresses does not belong to the points' states");
+  if (study.mpm.average_stress && !is_rate) refuse("mpm.average_stress", "the law \"rate\"", by_deformation);
+  if (study.mpm.jaumann && !is_rate && !is_soil(material.law))
+    refuse("mpm.jaumann", "the law \"rate\" and of soils", by_deformation);
+}
+
+/// Cam-clay has no stiffness where its pressure, with the attraction, is zero.
+void require_pressure(const exchange::Case& study, const exchange::Material& material, double pressure,
+                      const std::string& where, const std::string& remedy) {
+  const double sum = pressure + material.attraction.value_or(0.0);
+  if (material.law != exchange::Law::cam_clay || sum > 0.0) return;
+  throw exchange::InputError({.where = study.where(where),
+                              .what = "cam-clay has no stiffness without pressure",
+                              .given = fmt::format("pressure and attraction at the start are {:g} Pa together", sum),
+                              .allowed = "above 0 Pa",
+                              .remedy = remedy});
+}
+
+/// What the layers of a body are made of. Points are placed without stress.
+void require_materials_that_fit(const exchange::Case& study) {
+  for (int layer = 1; layer <= study.construction.layers; ++layer) {
+    const exchange::Material& material = study.material_of(layer);
+    require_law_that_fits(study, material);
+    require_pressure(study, material, 0.0, "material",
+                     "give the material an attraction: points are placed stress-free");
+  }
+}
+
+/// Single points take strain in steps.
+void require_point_that_fits(const exchange::Case& study) {
+  const exchange::Material& material = study.fill();
+  if (material.law == exchange::Law::hencky || material.law == exchange::Law::neo_hookean)
+    throw exchange::InputError({.where = study.where(fmt::format("material.{}.law", study.construction.material)),
+                                .what = "single material points are led through increments of strain",
+                                .given = quoted(material.law),
+                                .allowed = "\"rate\" and the laws of soils",
+                                .remedy = "take another law, or another shape"});
+  const std::vector<double>& stress = study.initial.stress;
+  require_pressure(study, material, -(stress[0] + stress[1] + stress[2]) / 3.0, "initial.stress",
+                   "set initial.stress to a compression, or give the material an attraction");
 }
 
 /// Points and functions of B-splines along one horizontal axis of a column.
@@ -168,35 +210,25 @@ void require_polygons_that_fit(const exchange::Case& study) {
   }
 }
 
-/// What cases may ask for and this program does not do.
-void require_known(const exchange::Case& study) {
-  const auto refuse = [&](const std::string& key, std::string what, std::string given, std::string allowed) {
-    throw exchange::InputError({.where = study.where(key),
-                                .what = std::move(what),
-                                .given = std::move(given),
-                                .allowed = std::move(allowed),
-                                .remedy = {}});
-  };
-  if (study.geometry.shape == exchange::Shape::point)
-    refuse("geometry.shape", "settle-mpm drives no single material points", "\"point\"", "a body");
-  for (int layer = 1; layer <= study.construction.layers; ++layer) {
-    if (&study.material_of(layer) != &study.fill())
-      refuse("geometry", "settle-mpm builds of one material", fmt::format("another in layer {}", layer),
-             "the same material in all layers");
-  }
-  if (study.fill().law > exchange::Law::neo_hookean)
-    refuse("material." + study.construction.material + ".law", "settle-mpm does not know this law",
-           fmt::format("\"{}\"", exchange::name_of(study.fill().law)), "\"rate\", \"hencky\" or \"neo-hookean\"");
+/// Polygons lie in a plane.
+void require_plane(const exchange::Case& study) {
+  if (!study.geometry.drawn() || study.geometry.dimension == 2) return;
+  throw exchange::InputError({.where = study.where("geometry.dimension"),
+                              .what = "settle-mpm fills polygons in a plane only",
+                              .given = "3",
+                              .allowed = "2",
+                              .remedy = "solve the case with settle-fem alone"});
 }
 
 } // namespace
 
 void require_solvable(const exchange::Case& study) {
-  require_known(study);
+  if (study.geometry.shape == exchange::Shape::point) return require_point_that_fits(study);
+  require_plane(study);
   require_element_of_the_dimension(study);
   require_points_that_fit(study);
   require_basis_of_the_element(study);
-  require_law_that_fits(study);
+  require_materials_that_fit(study);
   require_threads(study);
   if (study.geometry.drawn()) return require_polygons_that_fit(study);
   const auto counts = exchange::count_elements(study, "mpm.element_size", study.mpm.element_size);

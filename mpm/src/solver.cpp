@@ -3,6 +3,7 @@
 #include <type_traits>
 
 #include "builder.hpp"
+#include "settle/mpm/point_path.hpp"
 #include "settle/mpm/requirements.hpp"
 #include "settle/mpm/spaces.hpp"
 
@@ -43,27 +44,33 @@ auto with_space(const exchange::Case& study, Action&& action) {
 } // namespace
 
 exchange::Used used(const exchange::Case& study) {
-  return with_space(study, [&]<class Space>(std::type_identity<Space>) {
-    const Body<Space> body = empty_body<Space>(study);
-    exchange::Used values = exchange::used_values(study, exchange::Kinematics::finite);
-    values.youngs_modulus = body.lame.youngs_modulus();
-    values.poissons_ratio = body.lame.poissons_ratio();
-    values.density = body.density;
-    values.law = body.law;
-    return values;
-  });
+  const Material fill = material_of(study.fill());
+  exchange::Used values = exchange::used_values(study, exchange::Kinematics::finite);
+  values.youngs_modulus = fill.lame.youngs_modulus();
+  values.poissons_ratio = fill.lame.poissons_ratio();
+  values.density = fill.density;
+  values.law = fill.law;
+  return values;
 }
 
 int threads(const exchange::Case& study) {
   return study.mpm.scheme == exchange::Scheme::explicit_dynamic ? study.mpm.threads : 1;
 }
 
-void solve(const exchange::Case& study, const exchange::StageSink& sink) {
+std::optional<exchange::Failure> solve(const exchange::Case& study, const exchange::StageSink& sink) {
   require_solvable(study);
-  with_space(study, [&]<class Space>(std::type_identity<Space>) {
+  if (study.geometry.shape == exchange::Shape::point) {
+    drive_points(study, sink);
+    return {};
+  }
+  return with_space(study, [&]<class Space>(std::type_identity<Space>) -> std::optional<exchange::Failure> {
     Builder<Space> builder(study);
-    for (int number = 1; number <= study.n_stages(); ++number)
-      sink(builder.build(number));
+    for (int number = 1; number <= study.n_stages(); ++number) {
+      const auto built = builder.build(number);
+      if (!built.failed_at || *built.failed_at > 0.0) sink(built.stage);
+      if (built.failed_at) return exchange::Failure{.stage = number, .share = *built.failed_at};
+    }
+    return {};
   });
 }
 

@@ -16,6 +16,8 @@ exchange::SamplePoints sample_points(const Points<dim>& points) {
   samples.layer = points.layer;
   samples.refilled = points.refilled;
   samples.volume = points.volume;
+  samples.plastic_strain = points.plastic_strain;
+  samples.preconsolidation_pressure = points.preconsolidation_pressure;
   for (std::size_t p = 0; p < points.size(); ++p) {
     samples.density.push_back(points.density(p));
     for (std::size_t d = 0; d < dim; ++d) {

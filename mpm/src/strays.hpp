@@ -9,17 +9,23 @@
 
 namespace settle::mpm {
 
-/// The strays of a strip. A stray's place among the points, its home, holds a point without mass and volume until it
+/// The strays of a tile. A stray's place among the points, its home, holds a point without mass and volume until it
 /// comes back; what does not change in a step stays there.
-class StripStrays {
+template <int dim>
+class TileStrays {
 public:
   [[nodiscard]] std::size_t size() const { return home_.size(); }
   [[nodiscard]] std::size_t home(std::size_t i) const { return home_[i]; }
-  [[nodiscard]] Vector<2> position_of(std::size_t i) const { return {values_[2][i], values_[3][i]}; }
+  [[nodiscard]] Vector<dim> position_of(std::size_t i) const {
+    Vector<dim> x;
+    for (std::size_t d = 0; d < dim; ++d)
+      x[static_cast<int>(d)] = values_[2 + d][i];
+    return x;
+  }
   void set_cell(std::size_t i, int cell) { cell_[i] = cell; }
 
   /// Takes point p out of the points.
-  void take(Points<2>& points, std::size_t p, int cell) {
+  void take(Points<dim>& points, std::size_t p, int cell) {
     const auto own = arrays_of(points);
     for (std::size_t k = 0; k < own.size(); ++k)
       values_[k].push_back((*own[k])[p]);
@@ -28,8 +34,8 @@ public:
     cell_.push_back(cell);
     points.mass[p] = points.volume[p] = 0.0;
   }
-  /// Moves stray i to another strip; the last one takes its place.
-  void hand_to(StripStrays& other, std::size_t i, int cell) {
+  /// Moves stray i to another tile; the last one takes its place.
+  void hand_to(TileStrays& other, std::size_t i, int cell) {
     for (std::size_t k = 0; k < values_.size(); ++k)
       other.values_[k].push_back(values_[k][i]);
     other.layer_.push_back(layer_[i]);
@@ -44,7 +50,7 @@ public:
     remove(layer_), remove(home_), remove(cell_);
   }
   /// Puts all back where they came from.
-  void bring_home(Points<2>& points) {
+  void bring_home(Points<dim>& points) {
     const auto own = arrays_of(points);
     for (std::size_t i = 0; i < size(); ++i)
       for (std::size_t k = 0; k < own.size(); ++k)
@@ -54,25 +60,35 @@ public:
     layer_.clear(), home_.clear(), cell_.clear();
   }
   [[nodiscard]] kernel::Strays arrays() {
-    return {.points = {.mass = values_[0].data(),
-                       .volume = values_[1].data(),
-                       .position = {values_[2].data(), values_[3].data()},
-                       .velocity = {values_[4].data(), values_[5].data()},
-                       .stress = {values_[6].data(), values_[7].data(), values_[8].data(), values_[9].data()},
-                       .layer = layer_.data(),
-                       .force = {nullptr, nullptr}},
-            .cell = cell_.data(),
-            .count = size()};
+    kernel::PointArrays points{};
+    points.mass = values_[0].data(), points.volume = values_[1].data(), points.layer = layer_.data();
+    std::size_t k = 2;
+    for (std::size_t d = 0; d < dim; ++d)
+      points.position[d] = values_[k++].data();
+    for (std::size_t d = 0; d < dim; ++d)
+      points.velocity[d] = values_[k++].data();
+    for (std::size_t c = 0; c < stress_size<dim>; ++c)
+      points.stress[c] = values_[k++].data();
+    return {.points = points, .cell = cell_.data(), .count = size()};
   }
 
 private:
-  std::array<std::vector<double>, 10> values_;
+  static constexpr std::size_t n_values = 2 + 2 * dim + stress_size<dim>; ///< that a step reads or changes
+
+  std::array<std::vector<double>, n_values> values_;
   std::vector<std::int32_t> layer_, cell_;
   std::vector<std::size_t> home_;
 
-  static std::array<std::vector<double>*, 10> arrays_of(Points<2>& p) {
-    return {&p.mass,        &p.volume,    &p.position[0], &p.position[1], &p.velocity[0],
-            &p.velocity[1], &p.stress[0], &p.stress[1],   &p.stress[2],   &p.stress[3]};
+  static std::array<std::vector<double>*, n_values> arrays_of(Points<dim>& p) {
+    std::array<std::vector<double>*, n_values> arrays{&p.mass, &p.volume};
+    std::size_t k = 2;
+    for (auto& component : p.position)
+      arrays[k++] = &component;
+    for (auto& component : p.velocity)
+      arrays[k++] = &component;
+    for (auto& component : p.stress)
+      arrays[k++] = &component;
+    return arrays;
   }
 };
 

@@ -11,8 +11,8 @@ constexpr double parts_per_spacing = 4.0;
 /// The points in the cell of the one that is nearest to the place: what they carry goes to the nodes of that cell, so
 /// that an even load on the whole side of a cell comes to its nodes as it should.
 Scattered in_the_nearest_cell(const Scattered& points, const Points<2>& all, const Vector<2>& place) {
-  const auto nearest = std::min_element(
-      points.places.begin(), points.places.end(), [&](const Vector<2>& a, const Vector<2>& b) {
+  const auto nearest =
+      std::min_element(points.places.begin(), points.places.end(), [&](const Vector<2>& a, const Vector<2>& b) {
         return (a - place).squaredNorm() < (b - place).squaredNorm();
       });
   const std::int32_t cell = all.cell[points.points[static_cast<std::size_t>(nearest - points.places.begin())]];

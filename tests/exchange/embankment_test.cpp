@@ -5,6 +5,7 @@
 
 #include "settle/exchange/case_io.hpp"
 #include "settle/exchange/plane_geometry.hpp"
+#include "settle/exchange/probe_points.hpp"
 
 using namespace settle::exchange;
 
@@ -96,6 +97,16 @@ TEST(Embankment, IsEchoedAsItWasGiven) {
   EXPECT_EQ(to_toml(again), text);
   EXPECT_EQ(again.geometry.polygons.size(), study.geometry.polygons.size());
   EXPECT_EQ(text.find("[[geometry.polygon]]"), std::string::npos);
+}
+
+TEST(Embankment, InSpaceIsAsDeepAsWideIfItsDepthIsLeftOutAndProbedInItsMiddle) {
+  const Case study = parse_case(to_toml(embankment("", 5)), "solid.toml", {"geometry.dimension=3"});
+  EXPECT_EQ(study.geometry.depth, study.geometry.width);
+  const auto points = probe_points(study, {.from = {0, 0}, .to = {0, 5}, .points = 2});
+  ASSERT_EQ(points.size(), 2U);
+  for (const ProbePoint& point : points)
+    EXPECT_EQ(point.y, study.geometry.width / 2);
+  EXPECT_EQ(points.back().design_height, 5.0);
 }
 
 TEST(Stages, ThatRemoveALayerLeaveTheOthers) {

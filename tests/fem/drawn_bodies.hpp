@@ -26,6 +26,7 @@ inline exchange::Case drawn_column(int layers, double height, exchange::FemEleme
     const double low = t * (layer - 1), high = t * layer;
     study.geometry.polygons.push_back({.layer = layer, .corners = {{0, low}, {width, low}, {width, high}, {0, high}}});
   }
+  study.stages = study.all_stages();
   study.supports = {{.from = {0, 0}, .to = {width, 0}, .held = exchange::Held::y},
                     {.from = {width, 0}, .to = {width, height}, .held = exchange::Held::x},
                     {.from = {0, height}, .to = {0, 0}, .held = exchange::Held::x}};

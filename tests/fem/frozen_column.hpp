@@ -35,8 +35,6 @@ inline exchange::Case column(const ColumnOptions& options) {
   fill.poissons_ratio = 0.25;
   fill.density = 1720.0;
   study.construction.layers = options.layers;
-  for (int layer = 1; layer <= options.layers; ++layer)
-    study.stages.push_back({.action = exchange::Action::place, .layer = layer});
   study.construction.material = "fill";
   study.fem.element = options.element;
   study.fem.element_size = options.element_size;

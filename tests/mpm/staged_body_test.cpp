@@ -55,7 +55,8 @@ dimension = 2
 height = 1.0
 crest = 1.0
 slopes = [1.5, 1.5]
-)") + "layers = 2\n[probes.axis]\nfrom = [0.0, 0.0]\nto = [0.0, 1.0]\npoints = 5\n" + stages,
+)") + "layers = 2\n[probes.axis]\nfrom = [0.0, 0.0]\nto = [0.0, 1.0]\npoints = 5\n" +
+                                  stages,
                               "embankment.toml", overrides);
 }
 
@@ -83,7 +84,8 @@ to = [2.0, )" + top + R"(]
 held = "x"
 [probes.middle]
 from = [1.0, 0.0]
-to = [1.0, )" + top + "]\npoints = " + std::to_string(2 * layers + 1) + "\n" + stages,
+to = [1.0, )" + top +
+                                  "]\npoints = " + std::to_string(2 * layers + 1) + "\n" + stages,
                               "box.toml", overrides);
 }
 
@@ -231,23 +233,23 @@ TEST_P(BothSchemes, AUniformLoadIsFeltEverywhereAndStays) {
   // a hold finds the equilibrium of points where they have moved to: strains of 2e-5 away
   EXPECT_LT(difference(stages[3].points.displacement, after.displacement), std::max(GetParam().balance, 2e-5));
   const double modulus = 4e8 * 0.75 / (1.25 * 0.5); // E (1 - nu)/((1 + nu)(1 - 2 nu))
-  const auto &top_before = stages[1].probes.at("middle").displacement, &top = stages[2].probes.at("middle").displacement;
+  const auto &top_before = stages[1].probes.at("middle").displacement,
+             &top = stages[2].probes.at("middle").displacement;
   EXPECT_NEAR(top.back() - top_before.back(), -1e4 / modulus, 0.01 * 1e4 / modulus);
 }
 
 /// Drag along the crest is carried by the rough base.
 TEST_P(BothSchemes, SupportsCarryALoadAlongTheSurface) {
-  const auto stages = stages_of(embankment(stage("place", 1) + stage("place", 2) +
-                                               surface_load("[1e3, 0.0]", "[0.5, 1.0]", "[-0.5, 1.0]"),
-                                           scheme()));
+  const auto stages = stages_of(embankment(
+      stage("place", 1) + stage("place", 2) + surface_load("[1e3, 0.0]", "[0.5, 1.0]", "[-0.5, 1.0]"), scheme()));
   EXPECT_NEAR(horizontal_reaction(stages[2]), -1e3, GetParam().balance * stages[2].weight);
   EXPECT_NEAR(vertical_reaction(stages[2]), stages[2].weight, GetParam().balance * stages[2].weight);
 }
 
 /// A rough base between smooth walls: the nodes in their corners belong to both.
 TEST(StagedBody, TheForceAtASharedCornerCountsOnce) {
-  const auto stages = stages_of(box(2, stage("place", 1) + stage("place", 2) + surface_load("[1e3, 0.0]"),
-                                    {"support.1.held=both"}));
+  const auto stages =
+      stages_of(box(2, stage("place", 1) + stage("place", 2) + surface_load("[1e3, 0.0]"), {"support.1.held=both"}));
   EXPECT_NEAR(horizontal_reaction(stages[2]), -2e3, 1e-3);
 }
 

@@ -4,6 +4,8 @@
 
 #include "data.hpp"
 
+#pragma GCC diagnostic ignored "-Wsign-conversion" // in all kernels: sizes of small arrays are plain integers
+
 #define SETTLE_INLINE inline __attribute__((always_inline))
 
 namespace settle::mpm::kernel::SETTLE_VARIANT {

@@ -2,43 +2,101 @@
 /// The law `rate` without rotation, for eight gradients of displacement at a time.
 #pragma once
 
-#include "strip.hpp"
+#include "tile.hpp"
 
 namespace settle::mpm::kernel::SETTLE_VARIANT {
 
-/// d u_x / d x, d u_x / d y, d u_y / d x, d u_y / d y over a step.
+/// Components of the stress: all that points have, and those that nodes feel; where the one between the axes a and b
+/// is.
+template <int dim>
+constexpr int n_stresses = dim == 2 ? 4 : 6;
+template <int dim>
+constexpr int n_felt = dim == 2 ? 3 : 6;
+template <int dim>
+constexpr int component(int a, int b) {
+  if (a == b) return a;
+  return dim == 2 || a + b == 1 ? 3 : a + b == 3 ? 4 : 5;
+}
+/// Component k of those that nodes feel.
+template <int dim>
+constexpr int felt(int k) {
+  return dim == 2 && k == 2 ? 3 : k;
+}
+
+/// Gradient of the displacement over a step, d u_i / d x_j at [i][j].
+template <int dim>
 struct Gradient {
-  Lanes xx, xy, yx, yy;
+  Lanes by[dim][dim];
 };
 
 /// What a gradient does to points.
+template <int dim>
 struct Change {
-  Lanes volume_ratio, xx, yy, zz, xy;
+  Lanes volume_ratio, stress[n_stresses<dim>];
 };
 
-/// Stress increment lambda tr(e) I + 2 mu e, e = sym(G (I + G/2)^-1) the strain half way, and det(I + G).
-SETTLE_INLINE Change change_of(const Step& step, const Gradient& g) {
-  const Lanes a = 1.0 + 0.5 * g.xx, b = 0.5 * g.xy, c = 0.5 * g.yx, d = 1.0 + 0.5 * g.yy;
-  const Lanes inverse = 1.0 / (a * d - b * c);
-  const Lanes xx = (g.xx * d - g.xy * c) * inverse, yy = (g.yy * a - g.yx * b) * inverse;
-  const Lanes twice_xy = (g.xy * a - g.xx * b + g.yx * d - g.yy * c) * inverse;
-  const Lanes volumetric = step.lambda * (xx + yy);
-  return {.volume_ratio = (1.0 + g.xx) * (1.0 + g.yy) - g.xy * g.yx,
-          .xx = volumetric + 2.0 * step.mu * xx,
-          .yy = volumetric + 2.0 * step.mu * yy,
-          .zz = volumetric,
-          .xy = step.mu * twice_xy};
+SETTLE_INLINE Lanes determinant_of(const Gradient<2>& a) {
+  return a.by[0][0] * a.by[1][1] - a.by[0][1] * a.by[1][0];
+}
+SETTLE_INLINE Gradient<2> adjugate_of(const Gradient<2>& a) {
+  return {{{a.by[1][1], -a.by[0][1]}, {-a.by[1][0], a.by[0][0]}}};
+}
+SETTLE_INLINE Gradient<3> adjugate_of(const Gradient<3>& a) {
+  Gradient<3> adjugate;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) {
+      const int k = (j + 1) % 3, l = (j + 2) % 3, m = (i + 1) % 3, n = (i + 2) % 3;
+      adjugate.by[i][j] = a.by[k][m] * a.by[l][n] - a.by[k][n] * a.by[l][m];
+    }
+  return adjugate;
+}
+SETTLE_INLINE Lanes determinant_of(const Gradient<3>& a) {
+  const Gradient<3> adjugate = adjugate_of(a);
+  return a.by[0][0] * adjugate.by[0][0] + a.by[0][1] * adjugate.by[1][0] + a.by[0][2] * adjugate.by[2][0];
+}
+template <int dim>
+SETTLE_INLINE Gradient<dim> one_and(const Gradient<dim>& g, double share) {
+  Gradient<dim> sum;
+  for (int i = 0; i < dim; ++i)
+    for (int j = 0; j < dim; ++j)
+      sum.by[i][j] = i == j ? 1.0 + share * g.by[i][j] : share * g.by[i][j];
+  return sum;
 }
 
-SETTLE_INLINE void deform(const PointArrays& points, std::size_t p, int count, const Change& change) {
-  const auto add = [&](double* values, const Lanes& increment) {
-    store(values + p, load(values + p, count) + increment, count);
-  };
+/// Stress increment lambda tr(e) I + 2 mu e, e = sym(G (I + G/2)^-1) the strain half way, and det(I + G).
+template <int dim>
+SETTLE_INLINE Change<dim> change_of(const Step& step, const Gradient<dim>& g) {
+  const Gradient<dim> half_way = one_and(g, 0.5), adjugate = adjugate_of(half_way);
+  Lanes determinant = half_way.by[0][0] * adjugate.by[0][0];
+  for (int k = 1; k < dim; ++k)
+    determinant += half_way.by[0][k] * adjugate.by[k][0];
+  const Lanes inverse = 1.0 / determinant;
+  Lanes strain[dim][dim]; // G (I + G/2)^-1
+  for (int i = 0; i < dim; ++i)
+    for (int j = 0; j < dim; ++j) {
+      Lanes sum = g.by[i][0] * adjugate.by[0][j];
+      for (int k = 1; k < dim; ++k)
+        sum += g.by[i][k] * adjugate.by[k][j];
+      strain[i][j] = sum * inverse;
+    }
+  Lanes trace = strain[0][0];
+  for (int d = 1; d < dim; ++d)
+    trace += strain[d][d];
+  Change<dim> change;
+  change.volume_ratio = determinant_of(one_and(g, 1.0));
+  change.stress[2] = step.lambda * trace; // across the plane
+  for (int i = 0; i < dim; ++i)
+    for (int j = i; j < dim; ++j)
+      change.stress[component<dim>(i, j)] =
+          i == j ? step.lambda * trace + 2.0 * step.mu * strain[i][i] : step.mu * (strain[i][j] + strain[j][i]);
+  return change;
+}
+
+template <int dim>
+SETTLE_INLINE void deform(const PointArrays& points, std::size_t p, int count, const Change<dim>& change) {
   store(points.volume + p, load(points.volume + p, count) * change.volume_ratio, count);
-  add(points.stress[0], change.xx);
-  add(points.stress[1], change.yy);
-  add(points.stress[2], change.zz);
-  add(points.stress[3], change.xy);
+  for (int c = 0; c < n_stresses<dim>; ++c)
+    store(points.stress[c] + p, load(points.stress[c] + p, count) + change.stress[c], count);
 }
 
 /// Density over stiffness of cells [s2/m2]: the stiffness is M, or M / J + |sigma| for hyperelastic laws; infinite
@@ -60,50 +118,18 @@ SETTLE_INLINE Lanes volume_ratio_of(const Step& step, const Lanes& volume) {
   return volume > 0.0 ? step.cell_volume / volume : all(0.0);
 }
 
-/// Largest normal stress in the plane of every cell's points, for the stable step of hyperelastic laws.
-template <int cells_per_square>
-SETTLE_INLINE void find_largest_stress(const Step& step, int index, const CellArrays& cells, int quantity) {
-  const Strip strip(step, index);
-  for_each_cell<cells_per_square>(step, strip, [&](int which, std::size_t square, std::size_t first, std::size_t last) {
+/// Largest normal stress along any axis of every cell's points, for the stable step of hyperelastic laws.
+template <int dim, int per_square>
+SETTLE_INLINE void find_largest_stress(const Step& step, const Tile& tile, const CellArrays& cells, int quantity) {
+  for_each_cell<per_square>(step, tile, [&](int which, std::size_t square, std::size_t first, std::size_t last) {
     double largest = 0;
     for (std::size_t p = first; p < last; ++p)
-      for (int c = 0; c < 2; ++c) {
+      for (int c = 0; c < dim; ++c) {
         const double size = __builtin_fabs(step.points.stress[c][p]);
         largest = size > largest ? size : largest;
       }
     cells.quantity(quantity + which)[square] = largest;
   });
-}
-
-/// New positions and velocities of points; whether any has left the square (or, as `part` says, the triangle) that it
-/// was in.
-struct Motion {
-  Lanes move[2], kick[2];
-};
-SETTLE_INLINE void shift(const Step& step, const PointArrays& points, std::size_t p, int count, const Motion& motion,
-                         Lanes new_position[2]) {
-  for (int d = 0; d < 2; ++d) {
-    new_position[d] = load(points.position[d] + p, count) + motion.move[d];
-    store(points.position[d] + p, new_position[d], count);
-    store(points.velocity[d] + p, step.kept * (load(points.velocity[d] + p, count) + motion.kick[d]), count);
-  }
-}
-
-/// Moves the points of a block, eight at a time by `move_some(first, count, q)`, which says which of them have left
-/// their cells; these are reported.
-template <int size, class MoveSome>
-SETTLE_INLINE void move_block(const Step& step, int strip, bool strays, std::size_t first, int count,
-                              MoveSome&& move_some) {
-  Mask crossed[size / n_lanes], some{};
-  for (int q = 0; q < count; q += n_lanes) {
-    const Mask now = move_some(first + static_cast<std::size_t>(q), least(count - q, n_lanes), q);
-    crossed[q / n_lanes] = now;
-    some |= now;
-  }
-  if (!any(some)) return; // what lies behind the last point stays where it is
-  for (int q = 0; q < count; ++q)
-    if (crossed[q / n_lanes][q % n_lanes] != 0)
-      step.crossed(step.context, strip, strays, first + static_cast<std::size_t>(q));
 }
 
 } // namespace settle::mpm::kernel::SETTLE_VARIANT

@@ -7,7 +7,7 @@
 
 #include "settle/exchange/case.hpp"
 #include "settle/mpm/cell_table.hpp"
-#include "settle/mpm/elasticity.hpp"
+#include "settle/mpm/material.hpp"
 #include "settle/mpm/point_layout.hpp"
 
 namespace settle::mpm {
@@ -54,7 +54,20 @@ struct Body {
   StressIntegration integration = StressIntegration::full_cells;
   bool average_stress = false;             ///< replace point stresses by their cell's average after every move
   exchange::Law law = exchange::Law::rate; ///< `hencky` and `neo-hookean` need points that track their deformation
-  bool jaumann = false;                    ///< law `rate`: rotate the stress with the material (Jaumann rate)
+  bool jaumann = false;                    ///< law `rate` and soils: rotate the stress with the material (Jaumann rate)
+  /// Of layers 1, 2, ... where they differ or are soils; empty: all are of `law`, `lame` and `density`.
+  std::vector<Material> materials{};
+  /// Volumetric strain and mean stress are those of the cell: material that yields at constant volume does not lock
+  /// (docs/mpm.md). For `full_cells`.
+  bool mean_volume = false;
+
+  [[nodiscard]] const Material& material_of(int layer) const { return materials[static_cast<std::size_t>(layer - 1)]; }
+  /// As placed [kg/m3].
+  [[nodiscard]] double density_of(int layer) const { return materials.empty() ? density : material_of(layer).density; }
+  /// As placed [Pa]; 0 where the law knows none.
+  [[nodiscard]] double preconsolidation_of(int layer) const {
+    return materials.empty() ? 0.0 : material_of(layer).preconsolidation_pressure();
+  }
 
   /// Sorts points into cells; to be called after points have moved or were added. Throws PointLost.
   void sort() { sort_by_cell(space, points, cells); }

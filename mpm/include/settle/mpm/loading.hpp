@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "settle/mpm/body.hpp"
 #include "settle/mpm/drive.hpp"
@@ -17,6 +18,7 @@ struct StageLoad {
   int layer = 1;
   double gravity = 9.81; ///< [m/s2]
   exchange::Action action = exchange::Action::place;
+  bool may_fail = false;       ///< the quasi-static scheme returns where it finds no equilibrium, and does not throw
   bool starts_carried = false; ///< the layer's weight is in equilibrium with stresses that it starts with
   Refill refill{};
   const Drive* drive = nullptr;        ///< the case's known motion, if it has one
@@ -50,7 +52,8 @@ struct StageReport {
   double out_of_balance = 0; ///< of the last converged increment or step [-]
   double base_reaction = 0;  ///< of the last converged increment or step [N/m]
   bool in_equilibrium = false;
-  Eigen::VectorXd reactions{}; ///< of the supports on the body, (dim * nodes), zero where free [N/m]; or empty
+  std::optional<double> failed_at{}; ///< share of the stage that was in equilibrium last, where it found none any more
+  Eigen::VectorXd reactions{};       ///< of the supports on the body, (dim * nodes), zero where free [N/m]; or empty
 };
 
 /// Quasi-static: what grows (or the motion's time) in equal increments, each solved to equilibrium; one where nothing

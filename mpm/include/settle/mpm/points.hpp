@@ -31,6 +31,7 @@ struct NewPoint {
   Vector<dim> position = Vector<dim>::Zero(); ///< where it is placed [m]
   double volume = 0;                          ///< [m3/m] in 2-D
   double density = 0;                         ///< [kg/m3]
+  double preconsolidation_pressure = 0;       ///< [Pa]; only kept where points harden
   /// Of the rectangle or cuboid it fills [m]; zero: a square, a cube. Only kept where points carry their domains.
   Vector<dim> half_lengths = Vector<dim>::Zero();
 };
@@ -53,7 +54,10 @@ struct Points {
   bool tracks_deformation = false; ///< set before the first point is added; for laws that need it
   /// Half the sides of the rectangle or cuboid along the axes that a point fills [m]; empty unless `has_domains`.
   PerAxis<std::vector<double>, dim> half_length;
-  bool has_domains = false; ///< set before the first point is added; for spaces that need it
+  bool has_domains = false;                      ///< set before the first point is added; for spaces that need it
+  std::vector<double> plastic_strain;            ///< accumulated, equivalent, deviatoric [-]; empty unless `yields`
+  std::vector<double> preconsolidation_pressure; ///< [Pa]; empty unless `hardens`
+  bool yields = false, hardens = false;          ///< set before the first point is added; for laws of soils
   std::uint64_t next_id = 1;
 
   [[nodiscard]] std::size_t size() const { return id.size(); }

@@ -13,7 +13,8 @@ exchange::Used used(const exchange::Case& study);
 int threads(const exchange::Case& study);
 
 /// Builds the construction layer by layer. Throws exchange::InputError (`require_solvable`, or a `drop` that has no
-/// quasi-static equilibrium), exchange::NotConverged, PointLost.
-void solve(const exchange::Case& study, const exchange::StageSink& sink);
+/// quasi-static equilibrium), exchange::NotConverged, PointLost. Returns where the body failed, if the case allows that
+/// and the quasi-static scheme found no equilibrium.
+std::optional<exchange::Failure> solve(const exchange::Case& study, const exchange::StageSink& sink);
 
 } // namespace settle::mpm
