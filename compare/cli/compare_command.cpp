@@ -54,7 +54,7 @@ std::vector<Quantity> quantities_of(const exchange::Case& study, bool with_exact
 }
 
 /// The comparisons that make sense between two sides: with the exact solution over points, and over probes where there
-/// are some; between two results over probes, the only material points they have in common.
+/// are some; between two results over probes, the only material points they have in common, and of bodies over fields.
 std::vector<Check> comparisons(const RunOutcome& run, const std::string& a, const std::string& b) {
   std::vector<Check> checks;
   const auto add = [&](Quantity quantity, Norm norm, Over over) {
@@ -66,6 +66,7 @@ std::vector<Check> comparisons(const RunOutcome& run, const std::string& a, cons
     checks.push_back(check);
   };
   const bool with_exact = b == "exact";
+  const bool fields = !with_exact && run.study.geometry.drawn();
   const bool probes = !with_exact || !run.solvers.front().result->stages.back().probes.empty();
   for (const Quantity quantity : quantities_of(run.study, with_exact)) {
     if (!is_field(quantity)) {
@@ -74,6 +75,7 @@ std::vector<Check> comparisons(const RunOutcome& run, const std::string& a, cons
     }
     for (const Norm norm : {Norm::l2, Norm::linf}) {
       if (with_exact) add(quantity, norm, Over::points);
+      if (fields) add(quantity, norm, Over::fields);
       if (probes) add(quantity, norm, Over::probes);
     }
   }

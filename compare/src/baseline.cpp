@@ -16,10 +16,11 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::size_t drifting = 3; ///< so many acceptances in one direction are pointed out
+constexpr std::array figures{Statistic::max_settlement, Statistic::max_vertical_stress, Statistic::mean_density,
+                             Statistic::base_reaction_stress};
 
 void add_figures(const RunOutcome& run, const SolverRun& solver, BaselineValues& values) {
-  for (const Statistic statistic : {Statistic::max_settlement, Statistic::max_vertical_stress, Statistic::mean_density,
-                                    Statistic::base_reaction_stress}) {
+  for (const Statistic statistic : figures) {
     const double value = measured(run, solver.solver, statistic);
     if (!std::isfinite(value) || value == 0.0) continue;
     values[fmt::format("{}: {} {}", run.name, solver.solver, exchange::name_of(statistic))] = {
@@ -73,12 +74,48 @@ std::string drift_of(const std::string& key, const BaselineValue& today, const B
                      baseline[baseline.size() - drifting].when);
 }
 
+/// The quantity of a key figure.
+exchange::Quantity quantity_of(Statistic statistic) {
+  switch (statistic) {
+  case Statistic::max_settlement:
+    return exchange::Quantity::settlement;
+  case Statistic::max_vertical_stress:
+    return exchange::Quantity::vertical_stress;
+  case Statistic::mean_density:
+    return exchange::Quantity::density;
+  case Statistic::base_reaction_stress:
+    return exchange::Quantity::base_reaction;
+  case Statistic::refilled_points:
+    return exchange::Quantity::mass;
+  }
+  return exchange::Quantity::mass;
+}
+
+/// Of what a value is and whose, from its name: "settlement, mpm - fem, l2 over probes, last stage" or "mpm
+/// max-settlement".
+void name_quantity_and_leg(const std::string& name, Verdict& verdict) {
+  if (const auto comma = name.find(", "); comma != std::string::npos) {
+    verdict.quantity = name.substr(0, comma);
+    verdict.leg = name.substr(comma + 2, name.find(',', comma + 2) - comma - 2);
+    return;
+  }
+  const auto blank = name.find(' ');
+  verdict.leg = name.substr(0, blank);
+  for (const Statistic statistic : figures) {
+    if (name.substr(blank + 1) == exchange::name_of(statistic))
+      verdict.quantity = exchange::name_of(quantity_of(statistic));
+  }
+}
+
 Verdict begun(const std::string& run, const std::string& key, const Acceptance& accepted) {
-  return {.run = run,
-          .what = fmt::format("{}, as accepted", key.substr(run.size() + 2)),
-          .kind = "baseline",
-          .limit = accepted.tolerance,
-          .why = fmt::format("accepted on {} by {}: {}", accepted.when, accepted.who, accepted.reason)};
+  const std::string name = key.substr(run.size() + 2);
+  Verdict verdict{.run = run,
+                  .what = fmt::format("{}, as accepted", name),
+                  .kind = "baseline",
+                  .limit = accepted.tolerance,
+                  .why = fmt::format("accepted on {} by {}: {}", accepted.when, accepted.who, accepted.reason)};
+  name_quantity_and_leg(name, verdict);
+  return verdict;
 }
 
 Verdict judge_value(const std::string& run, const std::string& key, const BaselineValue& today,

@@ -24,7 +24,9 @@ public:
         gravity_(study.gravity), dimension_(study.geometry.dimension) {}
 
   [[nodiscard]] std::string lacks(Quantity quantity) const override {
-    const bool of_drawn = quantity == Quantity::support_reaction || quantity == Quantity::failure_height;
+    if (quantity == Quantity::plastic_strain) return "the columns that are known in closed form do not yield";
+    const bool of_drawn =
+        quantity == Quantity::support_reaction || quantity == Quantity::failure_height || quantity == Quantity::thrust;
     return of_drawn ? "a column has no such thing" : "";
   }
 
@@ -83,6 +85,10 @@ public:
       return other_load_of(study_);
     case Quantity::density:
       return "the mean density of a body that moves is not among the formulas of a case";
+    case Quantity::plastic_strain:
+      return "plastic strain is not among the formulas of a case";
+    case Quantity::thrust:
+      return "what each support carries is not among the formulas of a case";
     case Quantity::settlement:
     case Quantity::displacement:
       return formulas_ ? std::string() : "nothing is known to be exact: the case has no [motion]";

@@ -77,11 +77,14 @@ void append_field(const MaterialState& state, int dimension, Quantity quantity, 
     return values.push_back(state.stress[3]);
   case Quantity::stress:
     return append_tensor(state.stress, dimension, values);
+  case Quantity::plastic_strain:
+    return values.push_back(state.plastic_strain);
   case Quantity::density:
   case Quantity::base_reaction:
   case Quantity::mass:
   case Quantity::support_reaction:
   case Quantity::failure_height:
+  case Quantity::thrust:
     return values.push_back(no_value);
   }
 }
@@ -94,12 +97,14 @@ bool is_field(Quantity quantity) {
   case Quantity::displacement:
   case Quantity::shear_stress:
   case Quantity::stress:
+  case Quantity::plastic_strain:
     return true;
   case Quantity::density:
   case Quantity::base_reaction:
   case Quantity::mass:
   case Quantity::support_reaction:
   case Quantity::failure_height:
+  case Quantity::thrust:
     return false;
   }
   return false;
@@ -112,10 +117,12 @@ FieldSamples point_samples(const exchange::Stage& stage, int dimension, Quantity
   FieldSamples samples;
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (points.refilled[i] != 0) continue;
+    MaterialState state = state_of(arrays, i);
+    if (!points.plastic_strain.empty()) state.plastic_strain = points.plastic_strain[i];
     samples.layer.push_back(points.layer[i]);
     samples.x.push_back(points.placed_position[i * dim]);
     samples.height.push_back(points.placed_position[i * dim + dim - 1]);
-    append_field(state_of(arrays, i), dimension, quantity, samples.value);
+    append_field(state, dimension, quantity, samples.value);
     samples.weight.push_back(points.volume[i]);
   }
   return samples;
@@ -159,6 +166,8 @@ FieldSamples table_samples(const ReferenceTable& table, int stage, Quantity quan
     case Quantity::mass:
     case Quantity::support_reaction:
     case Quantity::failure_height:
+    case Quantity::thrust:
+    case Quantity::plastic_strain:
       return no_value;
     }
     return no_value;
@@ -193,6 +202,8 @@ double value_of(const ColumnState& state, Quantity quantity) {
   case Quantity::mass:
   case Quantity::support_reaction:
   case Quantity::failure_height:
+  case Quantity::thrust:
+  case Quantity::plastic_strain:
     return no_value;
   }
   return no_value;

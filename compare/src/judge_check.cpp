@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "leg_region.hpp"
 #include "quantity_unit.hpp"
 #include "settle/compare/field_samples.hpp"
 #include "settle/compare/judge.hpp"
@@ -23,6 +24,7 @@ LegRequest request_of(const RunOutcome& run, const Check& check) {
                      .reference = reference,
                      .quantity = check.quantity,
                      .over = check.over,
+                     .region = check.region,
                      .stage = run.study.n_stages(),
                      .layers = check.layers,
                      .support = check.support.value_or(0)};
@@ -34,6 +36,7 @@ LegRequest request_of(const RunOutcome& run, const Check& check) {
 std::string description(const RunOutcome& run, const Check& check, const LegRequest& request) {
   std::string text = fmt::format("{}, {} - {}", name_of(check.quantity), request.value, request.reference);
   if (is_field(check.quantity)) text += fmt::format(", {} over {}", name_of(check.norm), name_of(request.over));
+  if (check.region != exchange::Region::whole) text += fmt::format(" {}", text_of(check.region));
   if (!check.layers.empty() && is_field(check.quantity)) {
     text += fmt::format(", layers {} to {}", check.layers.front(), check.layers.back());
   }

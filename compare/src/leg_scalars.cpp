@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numeric>
+#include <string>
 
 #include <fmt/format.h>
 
@@ -86,9 +87,34 @@ std::string obstacle(const RunOutcome& run, const LegRequest& request) {
   return exact_solution(run.study, kinematics_of(run, request.value))->lacks(request.quantity);
 }
 
+/// The horizontal forces of all supports, in the order of the case.
+LegSamples thrust_leg(const RunOutcome& run, const LegRequest& request) {
+  LegSamples leg;
+  const auto dim = static_cast<std::size_t>(run.study.geometry.dimension);
+  const std::size_t supports = run.study.supports.size();
+  for (const bool is_value : {true, false}) {
+    const std::string& name = is_value ? request.value : request.reference;
+    if (side_of(run, name) != Side::solver) {
+      leg.problem = fmt::format("{} says nothing of the thrust of supports", name);
+      return leg;
+    }
+    const exchange::Stage& stage = stage_of(*run.result_of(name), request.stage);
+    if (stage.support_reactions.size() != dim * supports || supports == 0) {
+      leg.problem = fmt::format("{} gives {} numbers for the reactions of {} supports", name,
+                                stage.support_reactions.size(), supports);
+      return leg;
+    }
+    for (std::size_t i = 0; i < supports; ++i)
+      (is_value ? leg.value : leg.reference).push_back(stage.support_reactions[dim * i]);
+  }
+  leg.weight.assign(supports, 1.0);
+  return leg;
+}
+
 } // namespace
 
 LegSamples scalar_leg(const RunOutcome& run, const LegRequest& request) {
+  if (request.quantity == Quantity::thrust) return thrust_leg(run, request);
   LegSamples leg;
   leg.problem = obstacle(run, request);
   if (!leg.problem.empty()) return leg;

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "leg_fields.hpp"
+#include "leg_region.hpp"
 #include "leg_scalars.hpp"
 #include "leg_side.hpp"
 #include "settle/compare/exact_solution.hpp"
@@ -22,10 +24,6 @@ LegSamples nothing(std::string problem) {
   LegSamples samples;
   samples.problem = std::move(problem);
   return samples;
-}
-
-bool wanted(const LegRequest& request, int layer) {
-  return request.layers.empty() || (request.layers.front() <= layer && layer <= request.layers.back());
 }
 
 FieldSamples samples_of(const RunOutcome& run, const std::string& name, const LegRequest& request, Over over) {
@@ -47,13 +45,14 @@ LegSamples against_exact(const RunOutcome& run, const LegRequest& request, Over 
   if (std::string problem = exact->lacks(request.quantity); !problem.empty()) return nothing(std::move(problem));
   const FieldSamples samples = samples_of(run, request.value, request, over);
   const std::set<int> present = run.study.layers_present(request.stage);
+  const LegRegion region(run, request);
   LegSamples leg;
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const int layer = samples.layer[i];
     if (!present.contains(layer)) {
       return nothing(fmt::format("{} has a point in layer {} at stage {}", request.value, layer, request.stage));
     }
-    if (!wanted(request, layer)) continue;
+    if (!region.holds(layer, {samples.x[i], samples.height[i]})) continue;
     const MaterialPoint point{
         .layer = layer, .x = samples.x[i], .height = samples.height[i], .as_placed = over != Over::probes};
     append(samples, i, leg.value);
@@ -66,9 +65,10 @@ LegSamples against_exact(const RunOutcome& run, const LegRequest& request, Over 
 /// A solver beside itself: its values are their own reference.
 LegSamples against_itself(const RunOutcome& run, const LegRequest& request, Over over) {
   const FieldSamples samples = samples_of(run, request.value, request, over);
+  const LegRegion region(run, request);
   LegSamples leg;
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    if (!wanted(request, samples.layer[i])) continue;
+    if (!region.holds(samples.layer[i], {samples.x[i], samples.height[i]})) continue;
     append(samples, i, leg.value);
     leg.weight.push_back(samples.weight[i]);
   }
@@ -85,6 +85,10 @@ LegSamples matched_by_height(const RunOutcome& run, const LegRequest& request) {
   };
   const FieldSamples values = rows(request.value);
   const FieldSamples references = rows(request.reference);
+  const LegRegion region(run, request);
+  const auto wanted = [&](const FieldSamples& row, std::size_t k) {
+    return region.holds(row.layer[k], {row.x[k], row.height[k]});
+  };
   LegSamples leg;
   std::size_t i = 0;
   std::size_t j = 0;
@@ -93,16 +97,16 @@ LegSamples matched_by_height(const RunOutcome& run, const LegRequest& request) {
     const int layers = both ? values.layer[i] - references.layer[j] : (i < values.size() ? -1 : 1);
     const double gap = both ? values.height[i] - references.height[j] : 0.0;
     if (both && layers == 0 && std::abs(gap) <= tolerance) {
-      if (wanted(request, values.layer[i])) {
+      if (wanted(values, i)) {
         append(values, i, leg.value);
         append(references, j, leg.reference);
         leg.weight.push_back(values.weight[i]);
       }
       ++i, ++j;
     } else if (layers < 0 || (layers == 0 && gap < 0.0)) {
-      leg.without_partner += wanted(request, values.layer[i++]) ? 1U : 0U;
+      leg.without_partner += wanted(values, i++) ? 1U : 0U;
     } else {
-      leg.without_partner += wanted(request, references.layer[j++]) ? 1U : 0U;
+      leg.without_partner += wanted(references, j++) ? 1U : 0U;
     }
   }
   if (leg.size() == 0) {
@@ -121,6 +125,7 @@ LegSamples matched_probes(const RunOutcome& run, const LegRequest& request) {
                                request.reference, references.size()));
   }
   const double tolerance = 1e-9 * (run.study.geometry.width + run.study.geometry.height);
+  const LegRegion region(run, request);
   LegSamples leg;
   for (std::size_t i = 0; i < values.size(); ++i) {
     const double gap = std::hypot(values.x[i] - references.x[i], values.height[i] - references.height[i]);
@@ -128,7 +133,7 @@ LegSamples matched_probes(const RunOutcome& run, const LegRequest& request) {
       return nothing(fmt::format("probe {} is not the same material point for {} and {}", i + 1, request.value,
                                  request.reference));
     }
-    if (!wanted(request, values.layer[i])) continue;
+    if (!region.holds(values.layer[i], {values.x[i], values.height[i]})) continue;
     append(values, i, leg.value);
     append(references, i, leg.reference);
     leg.weight.push_back(1.0);
@@ -140,13 +145,24 @@ LegSamples matched_probes(const RunOutcome& run, const LegRequest& request) {
 std::string obstacle_to_matching(const RunOutcome& run, const LegRequest& request) {
   if (run.study.geometry.drawn()) {
     return "points of two sides are matched by their height, which means something in a column only: compare them "
-           "over probes";
+           "over probes or fields";
   }
   const bool with_table = side_of(run, request.reference) == Side::table || side_of(run, request.value) == Side::table;
   const bool known = request.quantity == Quantity::settlement || request.quantity == Quantity::vertical_stress ||
                      request.quantity == Quantity::lateral_stress;
   if (!with_table || known) return {};
   return fmt::format("a reference table has no {}", name_of(request.quantity));
+}
+
+/// Why a case has no such place to compare; empty where it has.
+std::string obstacle_to_region(const RunOutcome& run, const LegRequest& request, Over over) {
+  if (over != Over::fields && request.region == exchange::Region::whole) return {};
+  if (!run.study.geometry.drawn())
+    return "a column is the same all over its width: compare it over points or probes, without a region";
+  const bool two_solvers =
+      side_of(run, request.value) == Side::solver && side_of(run, request.reference) == Side::solver;
+  if (over == Over::fields && !two_solvers) return "fields are compared between two solvers";
+  return {};
 }
 
 } // namespace
@@ -175,6 +191,11 @@ LegSamples leg_samples(const RunOutcome& run, const LegRequest& request) {
   if (!is_field(request.quantity)) return scalar_leg(run, request);
   const Over over = place_of(run, request);
   const bool with_exact = side_of(run, request.reference) == Side::exact;
+  if (std::string obstacle = obstacle_to_region(run, request, over); !obstacle.empty())
+    return nothing(std::move(obstacle));
+  if (over == Over::fields) return field_leg(run, request);
+  if (over == Over::probes && request.quantity == Quantity::plastic_strain)
+    return nothing("probes carry no plastic strain: compare it over points or fields");
   if (request.value == request.reference) return against_itself(run, request, over);
   if (!with_exact || side_of(run, request.value) == Side::table) {
     std::string obstacle = over == Over::points ? obstacle_to_matching(run, request) : std::string();

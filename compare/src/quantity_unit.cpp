@@ -21,9 +21,12 @@ std::string unit_of(Quantity quantity) {
     return "kg/m3";
   case Quantity::base_reaction:
   case Quantity::support_reaction:
+  case Quantity::thrust:
     return "N/m";
   case Quantity::mass:
     return "kg/m";
+  case Quantity::plastic_strain:
+    return "";
   }
   return "";
 }
@@ -31,10 +34,9 @@ std::string unit_of(Quantity quantity) {
 } // namespace
 
 std::string unit_of(Quantity quantity, int dimension) {
-  const bool is_force = quantity == Quantity::base_reaction || quantity == Quantity::support_reaction;
-  if (dimension == 3 && is_force) return "N";
-  if (dimension == 3 && quantity == Quantity::mass) return "kg";
-  return unit_of(quantity);
+  const std::string unit = unit_of(quantity);
+  const bool per_length = unit == "N/m" || unit == "kg/m";
+  return dimension == 3 && per_length ? unit.substr(0, unit.find('/')) : unit;
 }
 
 } // namespace settle::compare

@@ -109,7 +109,7 @@ std::vector<SlurmJob> accounted_jobs(const std::vector<std::string>& ids) {
   if (program.empty()) return {};
   const CapturedOutput answer =
       run_captured_whole(program,
-                         {"--noheader", "--parsable2", "--array", "--allocations", "--format=JobID,State,JobName",
+                         {"--noheader", "--parsable2", "--allocations", "--format=JobID,State,JobName",
                           fmt::format("--jobs={}", fmt::join(ids, ","))},
                          patience, never);
   if (!has_succeeded(answer)) return {};

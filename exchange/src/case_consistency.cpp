@@ -123,6 +123,46 @@ void check_band(const Check& check, const std::string& key, const Case& study, R
                     .remedy = {}});
 }
 
+bool names_a_reference(const Check& check, const Case& study) {
+  return std::any_of(check.between.begin(), check.between.end(),
+                     [&](const std::string& name) { return name == "exact" || study.references.contains(name); });
+}
+
+/// Has it a value for each stage, not for each point?
+bool is_of_a_stage(Quantity quantity) {
+  constexpr std::array of_stages{Quantity::density,          Quantity::base_reaction,  Quantity::mass,
+                                 Quantity::support_reaction, Quantity::failure_height, Quantity::thrust};
+  return std::find(of_stages.begin(), of_stages.end(), quantity) != of_stages.end();
+}
+
+/// Fields, and parts of a body.
+void check_place(const Check& check, const std::string& key, const Case& study, Reading& reading) {
+  const bool over_fields = check.over == Over::fields;
+  const std::string of = over_fields ? key + ".over" : key + ".region";
+  const std::string given = over_fields ? "fields" : std::string(name_of(check.region));
+  if (!over_fields && check.region == Region::whole) return;
+  if (!study.geometry.drawn()) {
+    reading.complain({.where = study.where(of),
+                      .what = of + " is for bodies that are drawn: a column is the same all over its width",
+                      .given = given,
+                      .allowed = over_fields ? "points, probes" : "whole",
+                      .remedy = "leave it out"});
+  } else if (is_of_a_stage(check.quantity)) {
+    reading.complain(
+        {.where = study.where(of),
+         .what = fmt::format("{} asks where {} is compared, which no point has", of, name_of(check.quantity)),
+         .given = given,
+         .allowed = {},
+         .remedy = "leave it out"});
+  } else if (over_fields && names_a_reference(check, study)) {
+    reading.complain({.where = study.where(of),
+                      .what = of + " compares two solvers at each other's points",
+                      .given = fmt::format("between {}", fmt::join(check.between, " and ")),
+                      .allowed = "two solvers",
+                      .remedy = "over = \"points\" compares a solver with the exact solution"});
+  }
+}
+
 /// Relaxation has no time in which a hold could be measured; without a ramp, no hold at all would be no step at all.
 void check_relaxation(const Case& study, Reading& reading) {
   const ExplicitDynamic& settings = study.mpm.explicit_dynamic;
@@ -154,6 +194,7 @@ void check_consistency(const Case& study, Reading& reading) {
     check_between(study.checks[number], key, study, reading);
     check_layers(study.checks[number], key, study, reading);
     check_band(study.checks[number], key, study, reading);
+    check_place(study.checks[number], key, study, reading);
     check_one_value({key, study.checks[number].quantity, study.checks[number].support, study.checks[number].exact},
                     study, reading);
   }

@@ -254,7 +254,11 @@ KeyTable<Check> check_keys_table() {
   keys.choice("norm", &Check::norm, {.doc = "root of the volume-weighted mean square, or the largest difference"});
   keys.choice_or_left_out("over", &Check::over, Over::automatic,
                           {.left_out = "points where `\"exact\"` takes part, else probes",
-                           .doc = "native points of the solver, or the case's probes"});
+                           .doc = "native points of the solver, the case's probes, or, of two solvers of drawn bodies, "
+                                  "the points of one and the other's field there"});
+  keys.choice("region", &Check::region,
+              {.doc = "of a drawn body: all of it, what is further than two elements from its free surface, what is "
+                      "nearer, or what is nearer than that to the supports it stands on"});
   keys.choice("stage", &Check::stages, {.doc = "the last stage, or every one"});
   keys.integers("layers", &Check::layers,
                 {.range = at_least(1),

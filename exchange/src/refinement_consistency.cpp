@@ -74,6 +74,13 @@ void check_expectation(const ExpectedConvergence& expected, const std::string& k
                       .allowed = "mpm, fem",
                       .remedy = {}});
   }
+  if (expected.over == Over::fields) {
+    reading.complain({.where = study.where(key + ".over"),
+                      .what = key + ".over is for two solvers, and this is about one",
+                      .given = "fields",
+                      .allowed = "points, probes",
+                      .remedy = {}});
+  }
   const bool fits_line = expected.verdict == Convergence::converging && expected.against == ErrorAgainst::exact;
   if (expected.above_fit_at_most && !fits_line) {
     reading.complain({.where = study.where(key + ".above_fit_at_most"),

@@ -92,7 +92,7 @@ class Page(unittest.TestCase):
           return [...document.querySelectorAll("figure svg[role=img], figure img")].map(each => { const box = each.getBoundingClientRect();
             return [box.width, box.height, each.getAttribute("aria-label") || each.getAttribute("alt") ||
                     (document.getElementById(each.getAttribute("aria-labelledby")) || {}).textContent || "",
-                    each.tagName === "IMG" ? each.naturalWidth : each.querySelectorAll("path").length]; }); })()""")
+                    each.tagName === "IMG" ? each.naturalWidth : each.querySelectorAll("path, use").length]; }); })()""")
         self.assertGreaterEqual(len(figures), 8)  # settlement and stress of four cases
         for width, height, name, parts in figures:
             self.assertGreater(width, 100)

@@ -175,5 +175,37 @@ TEST(BodyLegs, ASolverBesideItselfIsItsOwnReference) {
   EXPECT_EQ(leg.value, leg.reference);
 }
 
+/// Two supports, of which the second leans against the left side.
+RunOutcome run_on_two_supports() {
+  const std::string wall = "\n[[support]]\nfrom = [0.0, 2.0]\nto = [0.0, 0.0]\nheld = \"x\"\n";
+  RunOutcome run = perfect_body_run(case_with("", wall));
+  for (SolverRun& solver : run.solvers)
+    solver.result->stages.back().support_reactions = {-3e3, 8e4, 3e3, 0.0};
+  return run;
+}
+
+TEST(BodyLegs, ThrustIsComparedSupportBySupport) {
+  RunOutcome run = run_on_two_supports();
+  const auto error = [&](Norm norm) {
+    return relative_norm(leg_samples(run, request("mpm", "fem", Quantity::thrust, Over::automatic)), norm).value;
+  };
+  EXPECT_EQ(error(Norm::linf), 0.0);
+  std::vector<double>& reactions = result_in(run, "mpm").stages.back().support_reactions;
+  reactions[1] += 50.0; // vertical
+  EXPECT_EQ(error(Norm::linf), 0.0);
+  reactions[2] += 40.0;
+  EXPECT_NEAR(error(Norm::linf), 40.0 / 3e3, 1e-12);
+  EXPECT_NEAR(error(Norm::l2), 40.0 / std::sqrt(2.0) / 3e3, 1e-12);
+}
+
+TEST(BodyLegs, ThrustThatASolverDoesNotGiveIsAProblem) {
+  RunOutcome run = run_on_two_supports();
+  result_in(run, "fem").stages.back().support_reactions.clear();
+  EXPECT_THAT(leg_samples(run, request("mpm", "fem", Quantity::thrust, Over::automatic)).problem,
+              HasSubstr("fem gives 0 numbers for the reactions of 2 supports"));
+  EXPECT_THAT(leg_samples(run, request("mpm", "exact", Quantity::thrust, Over::automatic)).problem,
+              HasSubstr("exact says nothing"));
+}
+
 } // namespace
 } // namespace settle::compare::test

@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "base_chart.hpp"
 #include "html_parts.hpp"
 #include "line_figure.hpp"
 #include "perfect_body.hpp"
@@ -51,8 +52,8 @@ TEST(BodyPage, DrawsFieldsAlongEveryLine) {
   CampaignOutcome outcome = campaign_of(body_case());
   outcome.campaign.report.fields = false;
   const std::string page = html_report(outcome);
-  // The campaign's figure; four fields along two lines and their differences.
-  EXPECT_EQ(occurrences(page, "<svg"), 1U + 16U);
+  // The campaign's figure; four fields along two lines and their differences; what they share.
+  EXPECT_EQ(occurrences(page, "<svg"), 1U + 16U + 1U);
   EXPECT_THAT(page, HasSubstr("Distance along probes.axis [m]"));
   EXPECT_THAT(page, HasSubstr("Distance along probes.level [m]"));
   EXPECT_THAT(page, HasSubstr("Eq. (1): Eq. (1) is for a column"));
@@ -144,16 +145,24 @@ TEST(SplitTable, MarksTheLargestPartAndGivesBothMeasures) {
   std::size_t marked = 0;
   for (const auto& row : table.rows) {
     marked += row[1].badge.empty() ? 0U : 1U;
-    EXPECT_FALSE(row[3].text.empty());
+    EXPECT_FALSE(row_of(report::parts_table(), row[0].text)[1].text.empty()) << row[0].text;
   }
   EXPECT_EQ(marked, 1U);
+}
+
+TEST(SplitTable, GivesTheShareOfLayersOfEachModelBesideTheirDifference) {
+  DifferenceSplit split = made_up_split();
+  split.layers = 0.001;
+  split.mpm_layers = 0.528;
+  split.fem_layers = 0.529;
+  EXPECT_EQ(row_of(report::split_table(split, 2), "number of layers")[0].small_print, "alone 52.8 % and 52.9 %");
 }
 
 TEST(SplitTable, InventsNoNumbers) {
   const std::vector<report::Cell> layers = row_of(report::split_table(made_up_split(), 2), "number of layers");
   EXPECT_EQ(layers[1].text, "–");
   EXPECT_EQ(layers[2].text, "–");
-  EXPECT_THAT(layers[3].text, HasSubstr("not known"));
+  EXPECT_EQ(layers[0].small_print, "");
 }
 
 TEST(SplitTable, MarksNothingWhereNothingIsKnown) {
@@ -161,6 +170,30 @@ TEST(SplitTable, MarksNothingWhereNothingIsKnown) {
   split.mpm_error = split.model_difference = split.fem_error = std::nan("");
   for (const auto& row : report::split_table(split, 2).rows)
     EXPECT_TRUE(row[1].badge.empty());
+}
+
+TEST(BaseChart, GivesTheStressNearTheSupportsOnWhichTheBodyStands) {
+  RunOutcome run = perfect_body_run(body_case({"mpm.element_size=0.5", "fem.element_size=0.5"}));
+  for (double& stress : run.solvers[1].result->stages.back().points.stress)
+    stress *= 1.1;
+  const report::Chart chart = report::base_chart(run);
+  ASSERT_EQ(chart.series.size(), 3U); // mpm, what is exact there, fem
+  for (std::size_t series = 0; series < 3; ++series) {
+    ASSERT_EQ(chart.series[series].pieces.size(), 1U);
+    ASSERT_EQ(chart.series[series].pieces[0].size(), 4U); // the lowest row
+    for (std::size_t i = 0; i < 4; ++i) {
+      const report::ChartPoint& point = chart.series[series].pieces[0][i];
+      EXPECT_NEAR(point.x, 0.25 + 0.5 * static_cast<double>(i), 1e-12);
+      EXPECT_NEAR(point.y, 7.0 * (series == 2 ? 1.1 : 1.0), 1e-12); // kPa: 4000 (2 - 0.25)
+    }
+  }
+  EXPECT_THAT(chart.caption, HasSubstr("Base reaction of MPM: 80.000 kN/m"));
+}
+
+TEST(BaseChart, HasNothingToShowOfABodyThatLeansOnly) {
+  RunOutcome run = perfect_body_run(body_case());
+  run.study.supports[0] = {.from = {0.0, 2.0}, .to = {0.0, 0.0}, .held = exchange::Held::x};
+  EXPECT_TRUE(report::base_chart(run).series.empty());
 }
 
 } // namespace

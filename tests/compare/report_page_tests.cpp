@@ -53,9 +53,9 @@ TEST(Page, HasASectionForEveryRunAndItsOwnFigures) {
   for (int run = 1; run <= 3; ++run) {
     EXPECT_THAT(page, HasSubstr(fmt::format("id=\"run-{0}-run-{0}\"", run)));
   }
-  // The campaign's figure; settlement and stress of three runs, and their differences.
-  EXPECT_EQ(occurrences(page, "<svg"), 1U + 3U * 4U);
-  EXPECT_EQ(occurrences(page, "Balance of mpm, stage by stage</caption>"), 3U);
+  // The campaign's figure; settlement and stress of three runs, and their differences; what they share.
+  EXPECT_EQ(occurrences(page, "<svg"), 1U + 3U * 4U + 1U);
+  EXPECT_EQ(occurrences(page, "Balance, stage by stage</caption>"), 3U);
 }
 
 TEST(Page, LoadsNothingFromOutside) {

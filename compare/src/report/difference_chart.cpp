@@ -115,7 +115,7 @@ Chart chart_of(const Place& place) {
   const bool is_tensor_or_vector = place.quantity == Quantity::displacement || place.quantity == Quantity::stress;
   Chart chart;
   chart.title = axis.title + ": differences";
-  chart.x.title = fmt::format("Difference of {}{}", name_of(place.quantity), is_tensor_or_vector ? ", norm" : "");
+  chart.x.title = fmt::format("{}: difference{}", axis.title, is_tensor_or_vector ? ", norm" : "");
   chart.x.unit = axis.unit;
   chart.keeps_y = true;
   for (const SolverRun& solver : place.run.solvers) {

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "field_interpolation.hpp"
 #include "settle/exchange/errors.hpp"
 
 namespace settle::compare::report {
@@ -22,13 +23,6 @@ FieldSamples designed(const Case& study, const Result& result, Quantity quantity
   return samples;
 }
 
-ElementField element_field(const Case& study, const FieldSamples& samples) {
-  std::vector<double> positions;
-  for (std::size_t i = 0; i < samples.size(); ++i)
-    positions.insert(positions.end(), {samples.x[i], samples.height[i]});
-  return {positions, samples.layer, samples.value, points_along_edge(study)};
-}
-
 /// Spots of the points that were not refilled, without values.
 std::vector<Spot> places_of(const exchange::SamplePoints& points) {
   std::vector<Spot> spots;
@@ -43,14 +37,14 @@ std::vector<Spot> places_of(const exchange::SamplePoints& points) {
 FieldLeg difference_of(const Case& study, const Result& of_mpm, const Result& of_fem, Quantity quantity,
                        std::vector<std::string>& missing) {
   const FieldSamples mpm = designed(study, of_mpm, quantity);
-  const ElementField fem = element_field(study, designed(study, of_fem, quantity));
+  const auto fem = field_of_elements(designed(study, of_fem, quantity), points_along_edge(study));
   const double factor = axis_of(quantity).factor;
   std::vector<Spot> places = places_of(of_mpm.stages.back().points);
   FieldLeg leg{.title = "MPM − FEM", .drawn = {}, .spots = {}, .patches = {}, .range = {}};
   for (std::size_t i = 0; i < mpm.size(); ++i) {
     Spot& spot = places[i];
-    const std::optional<double> other = fem.at(mpm.layer[i], {mpm.x[i], mpm.height[i]});
-    if (other) spot.value = factor * (mpm.value[i] - *other);
+    const auto other = fem->at(mpm.layer[i], {mpm.x[i], mpm.height[i]});
+    if (other) spot.value = factor * (mpm.value[i] - other->front());
     if (!std::isfinite(spot.value) || !std::isfinite(spot.radius + spot.at[0] + spot.at[1])) continue;
     leg.spots.push_back(spot);
     leg.range.include(spot.value);
@@ -68,6 +62,7 @@ FieldLeg difference_of(const Case& study, const Result& of_mpm, const Result& of
 
 double value_at(const exchange::SamplePoints& points, std::size_t dim, std::size_t i, Quantity quantity) {
   if (quantity == Quantity::settlement) return -points.displacement[dim * i + dim - 1];
+  if (quantity == Quantity::plastic_strain && !points.plastic_strain.empty()) return points.plastic_strain[i];
   return quantity == Quantity::vertical_stress ? points.stress[6 * i + dim - 1] : std::nan("");
 }
 

@@ -18,8 +18,8 @@ using exchange::PlaneBox;
 using exchange::PlanePoint;
 
 // Pixels of the page.
-constexpr double widest = 300.0, highest = 380.0;
-constexpr double slenderest = 1.0 / 6.0; // width over height
+constexpr double widest = 284.0, highest = 380.0; // three beside each other on a page
+constexpr double slenderest = 1.0 / 6.0;          // width over height
 constexpr double left = 56.0, right = 12.0, top = 8.0, below = 46.0;
 constexpr double bar_width = 260.0, bar_height = 14.0, bar_margin = 26.0;
 // Of the image in one of the page: for screens and print that show more, as far as the image stays small.

@@ -21,7 +21,7 @@ using exchange::Quantity;
 using exchange::Result;
 
 // Markers of a curve, whatever its number of points: for one stage, and for each layer where all stages are shown.
-constexpr std::size_t marker_limit = 110;
+constexpr std::size_t marker_limit = 70;
 constexpr std::size_t marker_limit_of_layer = 9;
 
 constexpr std::string_view exact_of = "exact-"; // and the solver whose model is meant

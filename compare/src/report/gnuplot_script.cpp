@@ -1,7 +1,12 @@
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include "chart_frame.hpp"
 #include "curve_styles.hpp"
 #include "format.hpp"
 #include "gnuplot.hpp"
@@ -37,18 +42,48 @@ std::string plot_command(const Plot& plot) {
   return command + "\n";
 }
 
-std::string axes(const Plot& plot) {
+/// From zero, but of densities, to the data with a little room beyond.
+ChartAxis values_axis(const Plot& plot) {
   const Axis axis = axis_of(plot.quantity);
+  ChartAxis values{.from = left_margin, .to = 522.0, .title = axis.title + axis.sense, .unit = axis.unit};
+  const bool from_zero = plot.quantity != exchange::Quantity::density;
+  values.lowest = from_zero ? 0.0 : std::numeric_limits<double>::infinity();
+  values.highest = from_zero ? 0.0 : -std::numeric_limits<double>::infinity();
+  for (const PlotCurve& curve : plot.curves)
+    for (const Segment& segment : curve.profile)
+      for (const ProfilePoint& point : segment) {
+        values.lowest = std::min(values.lowest, point.value);
+        values.highest = std::max(values.highest, point.value);
+      }
+  if (!std::isfinite(values.lowest)) values.lowest = values.highest = 0.0; // no values
+  if (values.lowest == values.highest) values.highest += 1.0;
+  const double room = 0.04 * (values.highest - values.lowest);
+  if (!from_zero || values.lowest < 0.0) values.lowest -= room;
+  if (!from_zero || values.highest > 0.0) values.highest += room;
+  return values;
+}
+
+std::string tics(const AxisText& text) {
+  std::vector<std::string> tics;
+  for (std::size_t i = 0; i < text.values.size(); ++i)
+    tics.push_back(fmt::format("{} {:.6g}", gnuplot_text(text.labels[i]), text.values[i]));
+  return fmt::format("{}", fmt::join(tics, ", "));
+}
+
+std::string axes(const Plot& plot) {
+  constexpr int most = 6; // labels, with room between them
+  const ChartAxis values = values_axis(plot);
+  const AxisText text = axis_text(values, most);
   return fmt::format("set border 3 lw 1 lc rgb '#555555'\n"
                      "set tics nomirror out scale 0.6\n"
                      "set grid xtics lt 1 lw 0.8 lc rgb '#E4E4E4'\n"
                      "set xlabel {} offset 0,0.2\n"
                      "set ylabel {} offset 1.2,0\n"
-                     "set xrange [{}:*]\n"
+                     "set xrange [{:.6g}:{:.6g}]\n"
+                     "set xtics ({})\n"
                      "set yrange [0:{:.6g}]\n",
-                     gnuplot_text(fmt::format("{}{} [{}]", axis.title, axis.sense, axis.unit)),
-                     gnuplot_text(plot.height_title), plot.quantity == exchange::Quantity::density ? "*" : "*<0",
-                     1.02 * plot.top);
+                     gnuplot_text(text.title), gnuplot_text(plot.height_title), values.lowest, values.highest,
+                     tics(text), 1.02 * plot.top);
 }
 
 std::string layer_lines(const Plot& plot) {

@@ -6,6 +6,8 @@
 #include "field_svg.hpp"
 #include "format.hpp"
 #include "html_parts.hpp"
+#include "leg_region.hpp"
+#include "line_figure.hpp"
 #include "templates.hpp"
 
 namespace settle::compare::report {
@@ -18,8 +20,8 @@ using exchange::Quantity;
 std::string range_text(const FieldLeg& leg, const std::string& unit) {
   if (leg.range.empty()) return fmt::format("{}: no value, {}", leg.title, leg.drawn);
   const double largest = std::max(std::abs(leg.range.lowest), std::abs(leg.range.highest));
-  return fmt::format("{}: {} to {} {}, {}", leg.title, number_beside(leg.range.lowest, largest, 4),
-                     number_beside(leg.range.highest, largest, 4), unit, leg.drawn);
+  return fmt::format("{}: {} to {}{}{}, {}", leg.title, number_beside(leg.range.lowest, largest, 4),
+                     number_beside(leg.range.highest, largest, 4), unit.empty() ? "" : " ", unit, leg.drawn);
 }
 
 /// Zero in the middle.
@@ -62,12 +64,31 @@ bool has_spots(const FieldPicture& picture) {
   return std::any_of(picture.legs.begin(), picture.legs.end(), [](const FieldLeg& leg) { return !leg.spots.empty(); });
 }
 
+/// How far the two are apart all over a body, and in its parts; empty where they are not compared.
+std::string parts_text(const RunOutcome& run, Quantity quantity) {
+  LegRequest leg{.value = "mpm",
+                 .reference = "fem",
+                 .quantity = quantity,
+                 .over = exchange::Over::fields,
+                 .stage = run.study.n_stages()};
+  const auto share = [&](exchange::Region region) {
+    leg.region = region;
+    return ratio(relative_norm(leg_samples(run, leg), exchange::Norm::l2).value);
+  };
+  if (!relative_norm(leg_samples(run, leg), exchange::Norm::l2).problem.empty()) return {};
+  return fmt::format(
+      "The difference is {} of FEM (l2) in all, {} in the interior, {} within {} m of the free surface. ",
+      share(exchange::Region::whole), share(exchange::Region::interior), share(exchange::Region::surface),
+      number(band_width(run, leg), 3));
+}
+
 std::string caption_of(const RunOutcome& run, const FieldPicture& picture) {
   const std::string unit = axis_of(picture.quantity).unit;
   std::string text;
   for (const FieldLeg& leg : picture.legs)
     text += range_text(leg, unit) + ". ";
   if (picture.difference) text += range_text(*picture.difference, unit) + ". ";
+  if (picture.difference && is_body(run.study)) text += parts_text(run, picture.quantity);
   text += "Material is drawn where it is now; dashed: the design. ";
   if (has_spots(picture)) text += "A point is a spot of its size: what shows between spots is no crack. ";
   const double stretch = panel_frame(run, picture).stretch;
@@ -98,12 +119,22 @@ std::string field_html(const CampaignOutcome& outcome, const RunOutcome& run, Qu
   return render(templates::fields, figure);
 }
 
+/// Plastic strain where something may yield.
+std::vector<Quantity> drawn_fields(const RunOutcome& run) {
+  const bool yields = std::any_of(run.solvers.begin(), run.solvers.end(), [](const SolverRun& solver) {
+    return solver.result && !solver.result->stages.empty() &&
+           !solver.result->stages.back().points.plastic_strain.empty();
+  });
+  if (yields) return {Quantity::settlement, Quantity::vertical_stress, Quantity::plastic_strain};
+  return {Quantity::settlement, Quantity::vertical_stress};
+}
+
 } // namespace
 
 std::string fields_html(const CampaignOutcome& outcome, const RunOutcome& run) {
   if (!outcome.campaign.report.fields || is_coarser_level(outcome, run)) return {};
   std::string html;
-  for (const Quantity quantity : {Quantity::settlement, Quantity::vertical_stress})
+  for (const Quantity quantity : drawn_fields(run))
     html += field_html(outcome, run, quantity);
   return html;
 }

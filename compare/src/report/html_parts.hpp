@@ -58,7 +58,10 @@ Table solver_table(const RunOutcome& run);
 Table key_figure_table(const RunOutcome& run);
 /// The parts of one difference between MPM and FEM, the largest marked.
 Table split_table(const DifferenceSplit& split, int dimension);
-Table balance_table(const RunOutcome& run, const SolverRun& solver);
+/// How each of those parts is computed.
+Table parts_table();
+/// Of every solver with a result.
+Table balance_table(const RunOutcome& run);
 Table refill_table(const exchange::Result& result);
 Table parameter_table(const RunOutcome& run);
 /// What the keys in the parameter tables of all runs mean, each once.

@@ -11,6 +11,7 @@
 #include "parallel.hpp"
 #include "reported_verdicts.hpp"
 #include "script_hash.hpp"
+#include "shared_shapes.hpp"
 #include "templates.hpp"
 
 namespace settle::compare {
@@ -121,10 +122,13 @@ std::string html_report(const CampaignOutcome& outcome, int jobs) {
   const std::string families = families_html(outcome, facets);
   page.set("families", families.empty() ? data(false) : data(families));
   page.set("runs", runs(outcome, facets, threads));
+  const bool any_split =
+      std::any_of(outcome.runs.begin(), outcome.runs.end(), [](const RunOutcome& run) { return !run.splits.empty(); });
+  page.set("parts", any_split ? data(html_of(parts_table())) : data(false));
   page.set("glossary", html_of(glossary_table(outcome)));
   page.set("command", printable(outcome.command));
   page.set("provenance", provenance(outcome));
-  return with_figures(render(templates::page, page), threads);
+  return with_shared_shapes(with_figures(render(templates::page, page), threads));
 }
 
 } // namespace settle::compare

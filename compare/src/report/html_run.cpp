@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "base_chart.hpp"
 #include "case_entries.hpp"
 #include "difference_chart.hpp"
 #include "figure_data.hpp"
@@ -52,12 +53,16 @@ std::string figures(const CampaignOutcome& outcome, const RunOutcome& run) {
   return html;
 }
 
+std::string distribution_along_base(const CampaignOutcome& outcome, const RunOutcome& run) {
+  Chart chart = base_chart(run);
+  if (chart.series.empty()) return {};
+  chart.id = anchor_of(outcome, run) + "-base";
+  return chart_html(std::move(chart));
+}
+
 std::string balances(const RunOutcome& run) {
-  std::string html;
-  for (const SolverRun& solver : run.solvers) {
-    if (solver.result) html += html_of(balance_table(run, solver));
-  }
-  return html;
+  const Table table = balance_table(run);
+  return table.rows.empty() ? std::string() : html_of(table);
 }
 
 std::string splits(const RunOutcome& run) {
@@ -125,7 +130,7 @@ std::string run_html(const CampaignOutcome& outcome, const RunOutcome& run, cons
   section.set("solvers", html_of(solver_table(run)));
   section.set("tails", tails(run));
   section.set("key_figures", html_of(key_figure_table(run)));
-  section.set("figures", figures(outcome, run));
+  section.set("figures", figures(outcome, run) + distribution_along_base(outcome, run));
   section.set("exact", formulas_html(outcome, run));
   section.set("history", history_html(outcome, run));
   section.set("fields", fields_html(outcome, run));

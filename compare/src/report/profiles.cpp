@@ -75,6 +75,10 @@ Axis axis_of(Quantity quantity) {
     return {"Support reaction", "", "kN/m", 1e-3};
   case Quantity::failure_height:
     return {"Height at failure", "", "m", 1.0};
+  case Quantity::plastic_strain:
+    return {"Plastic strain", ", accumulated", "", 1.0};
+  case Quantity::thrust:
+    return {"Horizontal reaction of supports", "", "kN/m", 1e-3};
   }
   return {};
 }

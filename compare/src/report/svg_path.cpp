@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -127,11 +128,23 @@ void append_step(std::string& text, char& command, long x, long y) {
   if (wanted != 'h') append(text, y);
 }
 
-void append(std::string& text, const SvgLine& line) {
+/// To the first point of a line from where the one before it has ended, whichever way is shorter.
+void append_start(std::string& text, long x, long y, const std::optional<std::pair<long, long>>& from) {
+  std::string absolute = "M", relative = "m";
+  append(absolute, x);
+  append(absolute, y);
+  if (from) {
+    append(relative, x - from->first);
+    append(relative, y - from->second);
+  }
+  text += from && relative.size() < absolute.size() ? relative : absolute;
+}
+
+/// `end`: where the line before it has ended, nothing before the first; where this one has.
+void append(std::string& text, const SvgLine& line, std::optional<std::pair<long, long>>& end) {
   long x = tenths(line.points.front().x), y = tenths(line.points.front().y);
-  text += 'M';
-  append(text, x);
-  append(text, y);
+  const std::pair start{x, y};
+  append_start(text, x, y, end);
   if (line.points.size() == 1) text += "h0";
   char command = 'M';
   for (std::size_t i = 1; i < line.points.size(); ++i) {
@@ -141,6 +154,7 @@ void append(std::string& text, const SvgLine& line) {
     y = next_y;
   }
   if (line.closed) text += 'z';
+  end = line.closed ? start : std::pair{x, y};
 }
 
 } // namespace
@@ -167,8 +181,9 @@ std::string short_coordinate(double value) {
 
 std::string path_text(const std::vector<SvgLine>& lines) {
   std::string text;
+  std::optional<std::pair<long, long>> end;
   for (const SvgLine& line : lines)
-    append(text, line);
+    append(text, line, end);
   return text;
 }
 

@@ -27,7 +27,8 @@ SvgLine simplified(const SvgLine& line, double tolerance);
 /// A coordinate with one decimal at most: "12.3", "-.5", "7".
 std::string short_coordinate(double value);
 
-/// A path with one decimal: the start of each line absolute, all else relative. A line of one point is a dot.
+/// A path with one decimal: the start of each line absolute where that is shorter, all else relative. A line of one
+/// point is a dot.
 std::string path_text(const std::vector<SvgLine>& lines);
 
 } // namespace settle::compare::report

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,7 @@ namespace settle::compare {
 struct MaterialState {
   std::array<double, 3> displacement{}; ///< since placement; two components in 2-D [m]
   std::array<double, 6> stress{};       ///< Cauchy, xx yy zz xy yz xz, tension positive [Pa]
+  double plastic_strain = std::numeric_limits<double>::quiet_NaN(); ///< accumulated; NaN where nothing is known [-]
 };
 
 /// n samples of c components. Settlement [m] positive downwards, stress [Pa] tension positive.
@@ -39,7 +41,7 @@ std::vector<exchange::Quantity> usual_fields(const exchange::Case& study);
 /// shear components are multiplied by sqrt(2), so that the Euclidean norm of the components is that of the tensor.
 void append_field(const MaterialState& state, int dimension, exchange::Quantity quantity, std::vector<double>& values);
 
-/// Does the quantity have a value at every point (displacement, stress), or one a stage (density, reaction, mass)?
+/// Does the quantity have a value at every point (displacement, stress), or for each stage (density, reactions, mass)?
 bool is_field(exchange::Quantity quantity);
 
 /// The native points of a stage, refilled ones left out.

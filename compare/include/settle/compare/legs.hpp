@@ -18,6 +18,7 @@ struct LegRequest {
   std::string reference{}; ///< "exact", a reference table, or a solver: the second of two, or the same
   exchange::Quantity quantity = exchange::Quantity::settlement;
   exchange::Over over = exchange::Over::automatic;
+  exchange::Region region = exchange::Region::whole; ///< of a body of polygons
   int stage = 1;
   std::vector<int> layers{};     ///< first and last layer compared; empty: all
   int support = 0;               ///< of a support reaction, from 1
@@ -34,7 +35,7 @@ exchange::Over place_of(const RunOutcome& run, const LegRequest& request);
 
 /// Both sides of a leg at their common material points; a solver may be its own reference. Native points of two sides
 /// are matched by layer and height, which identifies a material point of a column, not of polygons: there probes are
-/// compared. Throws InputError where the exact column does not exist.
+/// compared, or fields. Throws InputError where the exact column does not exist.
 LegSamples leg_samples(const RunOutcome& run, const LegRequest& request);
 
 } // namespace settle::compare

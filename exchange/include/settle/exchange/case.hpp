@@ -49,14 +49,23 @@ enum class Quantity {
   base_reaction,
   mass,
   support_reaction, ///< size of the force that one support exerts
-  failure_height    ///< of the fill, where no equilibrium was found any more
+  failure_height,   ///< of the fill, where no equilibrium was found any more
+  thrust,           ///< the horizontal force of each support
+  plastic_strain    ///< accumulated, equivalent deviatoric
 };
 /// Directions in which a support prevents or prescribes motion.
 enum class Held { x, y, both };
 /// What a support does in the directions it holds: nothing, or the case's known motion.
 enum class SupportMotion { none, exact };
 enum class Norm { l2, linf };
-enum class Over { automatic, points, probes };
+enum class Over { automatic, points, probes, fields };
+/// Where in a body is compared; near is nearer than two elements.
+enum class Region {
+  whole,
+  interior, ///< all but `surface`
+  surface,  ///< near the free surface of what is built
+  base      ///< near the supports on which the body stands
+};
 enum class CheckStages { last, all };
 /// How an error behaves under refinement; docs/convergence.md defines each. `undetermined`: nothing can be said.
 enum class Convergence { converging, floor_limited, oscillating, diverging, undetermined };
@@ -132,9 +141,9 @@ struct EnumNames<FemLinearSolver> {
 };
 template <>
 struct EnumNames<Quantity> {
-  static constexpr std::array<std::string_view, 11> names{
-      "settlement",    "displacement", "vertical-stress",  "lateral-stress", "shear-stress", "stress", "density",
-      "base-reaction", "mass",         "support-reaction", "failure-height"};
+  static constexpr std::array<std::string_view, 13> names{
+      "settlement",    "displacement", "vertical-stress",  "lateral-stress", "shear-stress", "stress",        "density",
+      "base-reaction", "mass",         "support-reaction", "failure-height", "thrust",       "plastic-strain"};
 };
 template <>
 struct EnumNames<Held> {
@@ -150,7 +159,11 @@ struct EnumNames<Norm> {
 };
 template <>
 struct EnumNames<Over> {
-  static constexpr std::array<std::string_view, 3> names{"automatic", "points", "probes"};
+  static constexpr std::array<std::string_view, 4> names{"automatic", "points", "probes", "fields"};
+};
+template <>
+struct EnumNames<Region> {
+  static constexpr std::array<std::string_view, 4> names{"whole", "interior", "surface", "base"};
 };
 template <>
 struct EnumNames<CheckStages> {
@@ -346,6 +359,7 @@ struct Check {
   std::vector<std::string> between{}; ///< two of: a solver's name, "exact", a reference's name
   Norm norm = Norm::l2;
   Over over = Over::automatic; ///< automatic: points for a leg with exact, probes between solvers
+  Region region = Region::whole;
   CheckStages stages = CheckStages::last;
   std::vector<int> layers{};     ///< first and last layer compared; empty: all
   double limit = 0.0;            ///< relative to `scale`

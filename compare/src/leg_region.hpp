@@ -1,0 +1,38 @@
+/// \file
+/// The material points that a leg is about.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "free_surface.hpp"
+#include "settle/compare/legs.hpp"
+
+namespace settle::compare {
+
+/// Layers and region of a request, at its stage.
+class LegRegion {
+public:
+  LegRegion(const RunOutcome& run, const LegRequest& request);
+
+  /// Does a point belong to it? As placed, or in the design geometry.
+  [[nodiscard]] bool holds(int layer, const exchange::PlanePoint& point) const;
+
+private:
+  exchange::Region region_;
+  std::vector<int> layers_;         ///< first and last; empty: all
+  std::vector<BoundaryPart> parts_; ///< from which the region is told; none of the whole body
+  double band_;                     ///< so far from them [m]
+};
+
+/// The width of the band along a boundary in which a leg's elements cannot be expected to be at their best: two
+/// elements of the coarser of its solvers [m].
+double band_width(const RunOutcome& run, const LegRequest& request);
+
+/// Edge of the elements of a solver, by the case [m].
+double element_size_of(const RunOutcome& run, const std::string& solver);
+
+/// "in the interior", ...; empty for the whole body.
+std::string text_of(exchange::Region region);
+
+} // namespace settle::compare
