@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "elasticity.hpp"
 #include "mesh.hpp"
 #include "recovery.hpp"
 #include "settle/exchange/errors.hpp"

@@ -35,6 +35,8 @@ double compliance(Law law, double stretch) {
     return stretch * stretch / (modulus * (1.0 - std::log(stretch)));
   case Law::neo_hookean:
     return stretch * stretch / (lame * (1.0 - std::log(stretch)) + mu * (stretch * stretch + 1.0));
+  default:
+    break;
   }
   return 0.0;
 }

@@ -48,6 +48,8 @@ struct ConfinedCompression {
       return modulus() * std::log(stretch) / stretch;
     case exchange::Law::neo_hookean:
       return (lame * std::log(stretch) + shear * (stretch * stretch - 1)) / stretch;
+    default:
+      break;
     }
     return NAN;
   }

@@ -82,7 +82,9 @@ TEST_P(EmbankmentBy, TendsToSmallStrainAsItGetsStiff) {
       difference = std::max(difference, std::abs(finite.points.displacement[i] - small.points.displacement[i]));
       largest = std::max(largest, std::abs(small.points.displacement[i]));
     }
-    if (previous > 0) EXPECT_NEAR(previous / (difference / largest), 10.0, 1.5);
+    if (previous > 0) {
+      EXPECT_NEAR(previous / (difference / largest), 10.0, 1.5);
+    }
     previous = difference / largest;
   }
   EXPECT_LT(previous, 1e-3);

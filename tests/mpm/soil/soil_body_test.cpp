@@ -89,8 +89,8 @@ const std::string sand = "law = 'mohr-coulomb'\ncohesion = 1.0\nfriction_angle =
 TEST(LayersOfSoil, SandBetweenWallsIsAtItsActiveStateInBothSchemesAndIntegrations) {
   const std::string text = block_text(material("fill", sand, 10e6, 0.2, 1800.0));
   for (const char* integration : {"mixed", "points"})
-    for (const std::vector<std::string> scheme : {std::vector<std::string>{"mpm.scheme=quasi-static"},
-                                                  {"mpm.scheme=explicit", "mpm.explicit.relaxation=viscous"}}) {
+    for (const auto& scheme : {std::vector<std::string>{"mpm.scheme=quasi-static"},
+                               {"mpm.scheme=explicit", "mpm.explicit.relaxation=viscous"}}) {
       std::vector<std::string> overrides = scheme;
       overrides.push_back(std::string("mpm.integration=") + integration);
       const auto stages = stages_of(text, overrides);
