@@ -8,6 +8,7 @@
 #include <deal.II/fe/mapping_q1.h>
 
 #include "cell_terms.hpp"
+#include "elasticity.hpp"
 #include "mesh.hpp"
 #include "recovery.hpp"
 #include "settle/exchange/assert.hpp"
