@@ -63,7 +63,8 @@ TEST_F(BaselineCommandTest, AcceptingRecordsWhoWhenWhyAndTheValues) {
   EXPECT_EQ(check().code, 0);
   EXPECT_EQ(run_case().code, 0);
   std::size_t judged = 0;
-  for (const auto& verdict : nlohmann::json::parse(content_of(out() / "verdicts.json")).at("verdicts")) {
+  const nlohmann::json written = nlohmann::json::parse(content_of(out() / "verdicts.json"));
+  for (const auto& verdict : written.at("verdicts")) {
     if (verdict.at("kind") != "baseline") continue;
     ++judged;
     EXPECT_THAT(verdict.at("leg").get<std::string>(), AnyOf("mpm", "fem", "fem - mpm")) << verdict;

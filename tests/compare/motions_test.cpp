@@ -26,11 +26,17 @@ constexpr double tolerance = 1e-5;
 
 const fs::path cases_folder = fs::path(SETTLE_SOURCE_DIR) / "cases";
 
+/// Stress of a soil depends on the way and not on the displacement alone, and its motion drives supports only.
+bool yields(exchange::Law law) {
+  return law > exchange::Law::neo_hookean;
+}
+
 std::vector<std::string> cases_with_a_motion() {
   std::vector<std::string> files;
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(cases_folder)) {
     if (entry.path().extension() != ".toml") continue;
-    if (exchange::document::find(exchange::document::read(entry.path()), "motion") != nullptr)
+    if (exchange::document::find(exchange::document::read(entry.path()), "motion") == nullptr) continue;
+    if (!yields(exchange::read_case(entry.path()).fill().law))
       files.push_back(fs::relative(entry.path(), cases_folder).string());
   }
   std::sort(files.begin(), files.end());

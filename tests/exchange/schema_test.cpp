@@ -59,7 +59,7 @@ TEST(CaseSchema, StatesTypesRangesDefaultsAndRequiredKeys) {
   const json& convention = *schema_of(schema, "construction.convention");
   EXPECT_EQ(convention["enum"], json::parse(R"(["refill","level-up","float","drop"])"));
   EXPECT_EQ(schema_of(schema, "mpm.element_size")->at("default"), 0.125);
-  EXPECT_EQ(schema_of(schema, "check.0.over")->at("enum"), json::parse(R"(["points","probes"])"));
+  EXPECT_EQ(schema_of(schema, "check.0.over")->at("enum"), json::parse(R"(["points","probes","fields"])"));
   EXPECT_EQ(schema_of(schema, "check.0.between")->at("minItems"), 2);
   EXPECT_EQ(schema_of(schema, "geometry")->at("additionalProperties"), false);
 }

@@ -59,7 +59,8 @@ TEST(EmbankmentMesh, HasCellsOfTheSizeAskedForOnAverage) {
     EXPECT_NEAR(static_cast<double>(mesh.cells.size()), asked, 0.25 * asked) << rows;
     for (const PlaneMesh::Cell& cell : mesh.cells)
       for (std::size_t v = 1; v < 4; ++v)
-        EXPECT_LE(std::abs(corner(mesh, cell, v)[1] - corner(mesh, cell, 0)[1]), study.fem.element_size);
+        EXPECT_LE(std::abs(corner(mesh, cell, v)[1] - corner(mesh, cell, 0)[1]), 4.0 / 3.0 * study.fem.element_size)
+            << "the three parts of a triangle meet in its middle";
   }
 }
 
@@ -69,7 +70,7 @@ TEST(EmbankmentMesh, IsOfRectanglesButAtTheSlopes) {
   std::size_t others = 0;
   for (const PlaneMesh::Cell& cell : mesh.cells)
     if (!is_upright_rectangle(mesh, cell)) ++others;
-  EXPECT_EQ(others, 3U * 2U * 3U); // three cells in the triangle at each end of each lift
+  EXPECT_EQ(others, 12U * 2U * 3U); // edges of four parts: twelve cells in the triangle at each end of each lift
   EXPECT_GT(mesh.cells.size(), 5 * others);
 }
 

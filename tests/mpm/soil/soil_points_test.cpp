@@ -128,7 +128,7 @@ TYPED_TEST(MeanVolume, NewtonConvergesQuadratically) {
   const auto& residuals = report.residuals;
   int judged = 0;
   for (std::size_t k = 1; k + 1 < residuals.size(); ++k) {
-    if (residuals[k] > 0.1 || residuals[k + 1] < 1e-13) continue;
+    if (residuals[k] > 0.2 || residuals[k + 1] < 1e-13) continue;
     EXPECT_GT(std::log(residuals[k + 1] / residuals[k]) / std::log(residuals[k] / residuals[k - 1]), 1.7) << k;
     ++judged;
   }
@@ -148,7 +148,9 @@ TYPED_TEST(MeanVolume, ChangesNothingWhereACellDeformsAlike) {
   for (std::size_t d = 0; d < with.size(); ++d)
     for (std::size_t p = 0; p < with[d].size(); ++p)
       moved = std::max(moved, std::abs(with[d][p] - without[d][p]));
-  EXPECT_LT(moved, 1e-5); // of 2 m that settle by 3 mm: mean strains of cells, not those of points
+  // Of 2 m that settle by 3 mm: mean strains of cells, not those of points, which differ within a cell for B-splines.
+  const bool uniform_in_cells = !std::is_same_v<TypeParam, BSplineSpace<2>>;
+  EXPECT_LT(moved, uniform_in_cells ? 1e-5 : 1e-4);
 }
 
 } // namespace
