@@ -99,6 +99,7 @@ StageReport load_quasi_static(Body<Space>& body, const StageLoad& load, const ex
         balance(body, step, load, load.at(share(increment)), stage, of_rest, std::move(support_motion));
     if (carried < 1.0) {
       stage.failed_at = (increment - 1 + carried) / increments;
+      stage.in_equilibrium = true; // as the last part that found it has left the body
       return stage;
     }
     if (increment < increments) refill_where_due(body, load.refill);
