@@ -197,7 +197,7 @@ private:
     for (const int present : study_.layers_present(number))
       stage.mass += problem_.mass(present);
     stage.mass_placed = problem_.mass(layer) - ramp.mass_before;
-    stage.weight = stage.mass * problem_.gravity();
+    stage.weight = (stage.mass - (1.0 - ramp.reached) * stage.mass_placed) * problem_.gravity(); // what acts
     stage.surface_height = surface_height(stage.points);
     stage.wall_time = std::chrono::duration<double>(Clock::now() - ramp.start).count();
     return stage;

@@ -148,7 +148,8 @@ private:
     stage.base_reaction = report.base_reaction;
     stage.mass = total_mass(body_.points);
     stage.mass_refilled = refilled_mass(body_.points, stage.layer);
-    stage.weight = study_.gravity * stage.mass;
+    stage.weight =
+        study_.gravity * (stage.mass - (1.0 - report.failed_at.value_or(1.0)) * stage.mass_placed); // what acts
     stage.points = sample_points(body_.points);
     if constexpr (dim == 2)
       if (study_.geometry.drawn()) {
