@@ -122,8 +122,8 @@ Verdict judge_audit(const RunOutcome& run, const std::string& solver, const Resu
     const Stage& stage = result.stages[i];
     const int number = static_cast<int>(i) + 1;
     const bool failed = result.failure && result.failure->stage == number;
-    const double residual = audit.residual({stage, i > 0 ? &result.stages[i - 1] : nullptr, number,
-                                            failed && !result.failure->came_to_rest ? result.failure->share : 1.0});
+    const double residual =
+        audit.residual({stage, i > 0 ? &result.stages[i - 1] : nullptr, number, failed ? result.failure->share : 1.0});
     if (residual <= verdict.value) continue;
     verdict.value = residual;
     verdict.scale = fmt::format("{} of stage {}", audit.scale, stage.layer);
@@ -136,8 +136,7 @@ Verdict judge_audit(const RunOutcome& run, const std::string& solver, const Resu
 /// All of the case, or as far as the body stood where it may fail.
 std::size_t stages_wanted(const exchange::Case& study, const Result& result) {
   if (!study.construction.may_fail || !result.failure) return static_cast<std::size_t>(study.n_stages());
-  const bool has_a_state = result.failure->came_to_rest || result.failure->share > 0.0;
-  return static_cast<std::size_t>(has_a_state ? result.failure->stage : result.failure->stage - 1);
+  return static_cast<std::size_t>(result.failure->share > 0.0 ? result.failure->stage : result.failure->stage - 1);
 }
 
 Verdict judge_stages(const RunOutcome& run, const std::string& solver, const Result& result) {

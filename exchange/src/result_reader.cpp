@@ -143,9 +143,7 @@ Stage read_stage(const hdf5::Group& group, std::size_t dimension) {
 std::optional<Failure> read_failure(const hdf5::Group& root) {
   if (!root.has(layout::failure)) return {};
   const hdf5::Group group = root.open_group(layout::failure);
-  return Failure{.stage = static_cast<int>(group.integer_attribute("stage")),
-                 .share = group.real_attribute("share"),
-                 .came_to_rest = group.integer_attribute("came_to_rest") != 0};
+  return Failure{.stage = static_cast<int>(group.integer_attribute("stage")), .share = group.real_attribute("share")};
 }
 
 std::vector<Stage> read_stages(const hdf5::Group& group, std::size_t dimension) {

@@ -122,7 +122,6 @@ void ResultWriter::finish(double wall_time, int threads, const std::optional<Fai
     const hdf5::Group group = root.create_group(layout::failure);
     group.write_attribute("stage", std::int64_t{failure->stage});
     group.write_attribute("share", failure->share);
-    group.write_attribute("came_to_rest", std::int64_t{failure->came_to_rest ? 1 : 0});
   }
   root.write_attribute("status", std::string(layout::complete));
   impl_->stages = hdf5::Group({}, root.file(), "/stages");

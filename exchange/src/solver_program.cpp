@@ -94,12 +94,8 @@ void print_progress(const Case& study, const Stage& stage, LogFormat format) {
 
 void print_failure(const Failure& failure, LogFormat format) {
   if (format == LogFormat::json)
-    return print_event({{"event", "failure"},
-                        {"stage", failure.stage},
-                        {"share", failure.share},
-                        {"came_to_rest", failure.came_to_rest}});
-  std::cout << fmt::format("failed in stage {}, beyond {:.4f} of it{}\n", failure.stage, failure.share,
-                           failure.came_to_rest ? ", and came to rest" : "");
+    return print_event({{"event", "failure"}, {"stage", failure.stage}, {"share", failure.share}});
+  std::cout << fmt::format("failed in stage {}, beyond {:.4f} of it\n", failure.stage, failure.share);
 }
 
 void solve(const SolverProgram& program, const Case& study, const Arguments& arguments) {

@@ -246,7 +246,7 @@ struct Material {
   double poissons_ratio = 0.0;      ///< nu [-]
   double density = 0.0;             ///< as placed [kg/m3]
   std::optional<double> porosity{}; ///< [-]; recorded, not used by one-phase solvers
-  // Strength; which keys a law needs is in docs/soils.md.
+  // Strength; which keys a law needs is in docs/formats.md.
   std::optional<double> cohesion{};         ///< c, or the undrained strength c_u of `tresca` [Pa]
   std::optional<double> friction_angle{};   ///< phi [degrees]
   std::optional<double> dilation_angle{};   ///< psi [degrees]; set by `read_case`: 0 where left out

@@ -65,10 +65,7 @@ struct Stage {
 /// The stage that found no equilibrium, where a case may fail.
 struct Failure {
   int stage = 0;    ///< 1 ... number of stages of the case
-  double share = 0; ///< of it that was carried last, 0 ... 1
-  /// The body has failed and come to rest under its whole weight, and the result's last stage is that; else it is the
-  /// last state in equilibrium before, if the share is above 0.
-  bool came_to_rest = false;
+  double share = 0; ///< of it that was in equilibrium last, 0 ... 1; above 0, the result's last stage is that state
 };
 
 /// The values the solver really used, for the driver to hold against the case.
