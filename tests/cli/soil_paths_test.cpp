@@ -76,8 +76,7 @@ protected:
 private:
   ScratchFolder folder_;
 };
-INSTANTIATE_TEST_SUITE_P(Laws, SoilPaths, testing::ValuesIn(soils),
-                         [](const auto& soil) { return soil.param.name; });
+INSTANTIATE_TEST_SUITE_P(Laws, SoilPaths, testing::ValuesIn(soils), [](const auto& soil) { return soil.param.name; });
 
 TEST_P(SoilPaths, LeadBothProgramsToTheSameStress) {
   const exchange::Result mpm = solved_by(SETTLE_MPM), fem = solved_by(SETTLE_FEM);
