@@ -14,18 +14,25 @@ namespace {
 namespace document = exchange::document;
 using nlohmann::json;
 
-/// The schema of a key: among the properties of its table, or what any key of a table of free names is.
-json schema_of(const json& table, const std::string& key) {
-  const json properties = table.value("properties", json::object());
-  if (properties.contains(key)) return properties.at(key);
-  const json others = table.value("additionalProperties", json(false));
-  return others.is_object() ? others : json::object();
+/// What stands at a name of an object, an empty object if nothing does. A reference into `object`: the schema is large.
+const json& child(const json& object, const char* name) {
+  static const json nothing = json::object();
+  const auto found = object.find(name);
+  return found == object.end() ? nothing : *found;
 }
 
-/// What a key means; an array of tables is described with its entries.
+/// The schema of a key: among the properties of its table, or what any key of a table of free names is.
+const json& schema_of(const json& table, const std::string& key) {
+  const json& properties = child(table, "properties");
+  const auto found = properties.find(key);
+  return found == properties.end() ? child(table, "additionalProperties") : *found;
+}
+
+/// What a key means; an array of tables is described with its entries. Empty where nothing is said.
 std::string meaning_of(const json& facts) {
-  const json items = facts.value("items", json::object());
-  return facts.value("description", items.is_object() ? items.value("description", "") : "");
+  for (const json* place : {&facts, &child(facts, "items")})
+    if (const auto* text = child(*place, "description").get_ptr<const std::string*>()) return *text;
+  return "";
 }
 
 /// Tables that no solver of this run reads, and keys the page shows elsewhere.
@@ -69,7 +76,7 @@ void append(const RunOutcome& run, const document::Table& table, const json& sch
   for (const document::Entry& entry : table) {
     const std::string key = path.empty() ? entry.key : path + "." + entry.key;
     if (is_left_out(run, key)) continue;
-    const json facts = schema_of(schema, entry.key);
+    const json& facts = schema_of(schema, entry.key);
     if (const auto* inner = std::get_if<document::Table>(&entry.value.data)) {
       append(run, *inner, facts, key, list);
       continue;

@@ -41,8 +41,6 @@ struct Table {
   std::vector<std::string> marks = {}; ///< attributes of each row, for the script; none if empty
 };
 
-/// The data of template `table`.
-data data_of(const Table& table);
 /// A table as HTML.
 std::string html_of(const Table& table);
 
