@@ -110,12 +110,10 @@ private:
   }
 
   void place_drawn(const exchange::StageEntry& entry) {
-    if constexpr (dim == 2) {
-      place_polygons(study_, entry.layer, present_, design_, body_);
-      present_.push_back(entry.layer);
-      if (entry.k0) set_level_stress(study_, entry.layer, body_.points);
-      body_.sort();
-    }
+    place_polygons(study_, entry.layer, present_, design_, body_);
+    present_.push_back(entry.layer);
+    if (entry.k0) set_level_stress(study_, entry.layer, body_.points);
+    body_.sort();
   }
 
   void place_in_column(int layer) {
@@ -151,16 +149,16 @@ private:
     stage.weight =
         study_.gravity * (stage.mass - (1.0 - report.failed_at.value_or(1.0)) * stage.mass_placed); // what acts
     stage.points = sample_points(body_.points);
-    if constexpr (dim == 2)
-      if (study_.geometry.drawn()) {
-        stage.surface_height = highest_surface(body_.points);
-        stage.probes = sample_drawn_probes(study_, body_.points, design_, present_);
-        if (report.reactions.size() > 0)
-          stage.support_reactions = support_reactions(study_, body_.space, report.reactions);
-        return;
-      }
+    if (study_.geometry.drawn()) return record_drawn(report, stage);
     stage.surface_height = surface_height(body_, study_.construction.convention);
     stage.probes = sample_probes(study_, body_.points, placements_);
+  }
+
+  void record_drawn(const StageReport& report, exchange::Stage& stage) const {
+    const double row = dim == 2 ? 1.0 : body_.space.size() / body_.layout.row_points;
+    stage.surface_height = highest_surface(body_.points, row);
+    stage.probes = sample_drawn_probes(study_, body_.points, design_, present_);
+    if (report.reactions.size() > 0) stage.support_reactions = support_reactions(study_, body_.space, report.reactions);
   }
 };
 

@@ -80,12 +80,11 @@ Body<Space> unsupported_body(const exchange::Case& study, const Space& space) {
 
 template <class Space>
 Body<Space> empty_body(const exchange::Case& study) {
-  if constexpr (Space::dim == 2)
-    if (study.geometry.drawn()) {
-      Body<Space> body = unsupported_body(study, Space(grid_around(study)));
-      body.fixed = polygon_supports(study, body.space);
-      return body;
-    }
+  if (study.geometry.drawn()) {
+    Body<Space> body = unsupported_body(study, Space(grid_around<Space::dim>(study)));
+    body.fixed = polygon_supports(study, body.space);
+    return body;
+  }
   Body<Space> body = unsupported_body(study, Space(grid_in_column<Space::dim>(study)));
   body.fixed = oedometer_supports(body.space);
   return body;

@@ -33,7 +33,8 @@ exchange::PlaneBox extent_of(const exchange::Geometry& geometry, int layer) {
 
 } // namespace
 
-Scattered Design::layers(const Points<2>& points, const std::vector<int>& layers) const {
+template <int dim>
+Scattered Design::layers(const Points<dim>& points, const std::vector<int>& layers) const {
   Scattered scattered;
   for (std::size_t p = 0; p < points.size(); ++p) {
     if (std::find(layers.begin(), layers.end(), points.layer[p]) == layers.end()) continue;
@@ -43,27 +44,30 @@ Scattered Design::layers(const Points<2>& points, const std::vector<int>& layers
   return scattered;
 }
 
-PresentLayers::PresentLayers(const exchange::Case& study, const Design& design, const Points<2>& points,
-                             const std::vector<int>& layers)
+template <int dim>
+PresentLayers<dim>::PresentLayers(const exchange::Case& study, const Design& design, const Points<dim>& points,
+                                  const std::vector<int>& layers)
     : study_(study), points_(points), layers_(layers), design_(design) {
   for (const int layer : layers_)
     scattered_.push_back(design.layer(points, layer));
 }
 
-Vector<2> PresentLayers::surface(const Vector<2>& place) const {
+template <int dim>
+Vector<2> PresentLayers<dim>::surface(const Vector<2>& place) const {
   const double slack = 1e-9 * (study_.geometry.width + study_.geometry.height);
   const std::vector<int> there = exchange::layers_at(study_.geometry, {place[0], place[1]}, slack);
   for (std::size_t i = layers_.size(); i-- > 0;) {
     if (std::find(there.begin(), there.end(), layers_[i]) == there.end()) continue;
-    const PlaneFit fit = fit_plane(scattered_[i], points_of_a_fit, place);
+    const PlaneFit fit = fit_plane(scattered_[i], points_of_a_fit * points_in_a_row<dim>(study_), place);
     return place + fit.sum([&](std::size_t p) -> Vector<2> {
-      return points_.position_of(p) - design_.place_of(points_.id[p]);
+      return in_section<dim>(points_.position_of(p)) - design_.place_of(points_.id[p]);
     });
   }
   return place;
 }
 
-LayerLift::LayerLift(const exchange::Case& study, int layer, const PresentLayers& below, double spacing)
+template <int dim>
+LayerLift::LayerLift(const exchange::Case& study, int layer, const PresentLayers<dim>& below, double spacing)
     : study_(study), layer_(layer) {
   if (study.construction.convention == exchange::Convention::drop) return;
   const exchange::PlaneBox extent = extent_of(study.geometry, layer);
@@ -89,5 +93,12 @@ auto LayerLift::spot(const Vector<2>& place) const -> Spot {
   position[1] += stretch * (place[1] - foot);
   return {position, stretch * across[0] / step_};
 }
+
+#define SETTLE_INSTANTIATE(dim)                                                                                        \
+  template Scattered Design::layers(const Points<dim>&, const std::vector<int>&) const;                                \
+  template class PresentLayers<dim>;                                                                                   \
+  template LayerLift::LayerLift(const exchange::Case&, int, const PresentLayers<dim>&, double);
+SETTLE_INSTANTIATE(2)
+SETTLE_INSTANTIATE(3)
 
 } // namespace settle::mpm

@@ -2,6 +2,7 @@
 /// What is drawn: where each material point has its place in the design, and where a new layer comes to lie.
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include "settle/exchange/case.hpp"
@@ -9,24 +10,43 @@
 
 namespace settle::mpm {
 
-/// Places of points in the design, by their identity: points change neither.
+/// In the section of a body: x and the height; y of a body in space is along its extrusion.
+template <int dim>
+Vector<2> in_section(const Vector<dim>& x) {
+  return {x[0], x[dim - 1]};
+}
+
+/// So many points stand for a place of the section: one, in space a row of them along y.
+template <int dim>
+std::size_t points_in_a_row(const exchange::Case& study) {
+  if constexpr (dim == 2) return 1;
+  const double deep = study.geometry.depth.value_or(study.geometry.width) / study.mpm.element_size;
+  return static_cast<std::size_t>(std::lround(deep) * std::lround(std::cbrt(*study.mpm.points_per_element)));
+}
+
+/// Places of points in the section as designed, by their identity: points change neither.
 class Design {
 public:
   /// The next point that is added has this place [m].
   void note(const Vector<2>& place) { places_.push_back(place); }
   [[nodiscard]] const Vector<2>& place_of(std::uint64_t id) const { return places_[static_cast<std::size_t>(id - 1)]; }
   /// The points of a layer, or of several, each at its place in the design.
-  [[nodiscard]] Scattered layer(const Points<2>& points, int layer) const { return layers(points, {layer}); }
-  [[nodiscard]] Scattered layers(const Points<2>& points, const std::vector<int>& layers) const;
+  template <int dim>
+  [[nodiscard]] Scattered layer(const Points<dim>& points, int layer) const {
+    return layers(points, {layer});
+  }
+  template <int dim>
+  [[nodiscard]] Scattered layers(const Points<dim>& points, const std::vector<int>& layers) const;
 
 private:
   std::vector<Vector<2>> places_;
 };
 
 /// Layers that are there, each with its points; the one placed last comes last.
+template <int dim>
 class PresentLayers {
 public:
-  PresentLayers(const exchange::Case& study, const Design& design, const Points<2>& points,
+  PresentLayers(const exchange::Case& study, const Design& design, const Points<dim>& points,
                 const std::vector<int>& layers);
 
   /// Where the material point with this place in the design is now, on the surface of what lies there; the place itself
@@ -35,7 +55,7 @@ public:
 
 private:
   const exchange::Case& study_;
-  const Points<2>& points_;
+  const Points<dim>& points_;
   std::vector<int> layers_;
   std::vector<Scattered> scattered_; ///< of each of them
   const Design& design_;
@@ -48,7 +68,8 @@ private:
 class LayerLift {
 public:
   /// `spacing`: of the verticals on which the surface below is looked for; between them it is linear [m].
-  LayerLift(const exchange::Case& study, int layer, const PresentLayers& below, double spacing);
+  template <int dim>
+  LayerLift(const exchange::Case& study, int layer, const PresentLayers<dim>& below, double spacing);
 
   /// Where a place in the design comes to lie, and by what its area is multiplied.
   struct Spot {

@@ -23,16 +23,20 @@ std::pair<double, double> levels_of(const exchange::Geometry& geometry, int laye
 
 } // namespace
 
-void set_level_stress(const exchange::Case& study, int layer, Points<2>& points) {
+template <int dim>
+void set_level_stress(const exchange::Case& study, int layer, Points<dim>& points) {
+  constexpr std::size_t up = dim - 1;
   const auto [upper, lower] = levels_of(study.geometry, layer);
   const double unit_weight = study.gravity * study.material_of(layer).density;
   for (std::size_t p = 0; p < points.size(); ++p) {
-    const double cover = points.layer[p] == layer ? upper - points.position[1][p] : upper - lower;
+    const double cover = points.layer[p] == layer ? upper - points.position[up][p] : upper - lower;
     const double vertical = -unit_weight * cover, horizontal = horizontal_ratio(study, points.layer[p]) * vertical;
-    points.stress[0][p] += horizontal;
-    points.stress[1][p] += vertical;
-    points.stress[2][p] += horizontal;
+    for (std::size_t c = 0; c < 3; ++c)
+      points.stress[c][p] += c == up ? vertical : horizontal;
   }
 }
+
+template void set_level_stress(const exchange::Case&, int, Points<2>&);
+template void set_level_stress(const exchange::Case&, int, Points<3>&);
 
 } // namespace settle::mpm

@@ -11,7 +11,8 @@ namespace settle::mpm {
 
 /// Adds the stresses that the weight of a level layer, just placed, gives itself and the layers below: vertical ones by
 /// the depth, horizontal ones by each layer's ratio: `k0` of its stage, or nu / (1 - nu) where it has none.
-void set_level_stress(const exchange::Case& study, int layer, Points<2>& points);
+template <int dim>
+void set_level_stress(const exchange::Case& study, int layer, Points<dim>& points);
 
 /// Displacements are counted from here.
 template <int dim>

@@ -53,9 +53,10 @@ template <class Space, class Action>
 void for_each_held(const exchange::Case& study, const Space& space, Action&& action) {
   for (int node = 0; node < space.n_nodes(); ++node)
     for (const exchange::Support& support : study.supports) {
-      if (!stands_for(support, space.node_position(node), space.size())) continue;
+      if (!stands_for(support, in_section<Space::dim>(space.node_position(node)), space.size())) continue;
       if (support.held != exchange::Held::y) action(node, 0, support);
-      if (support.held != exchange::Held::x) action(node, 1, support);
+      if (Space::dim == 3 && support.held == exchange::Held::both) action(node, 1, support);
+      if (support.held != exchange::Held::x) action(node, Space::dim - 1, support);
     }
 }
 
@@ -75,23 +76,32 @@ void for_each_held(const exchange::Case& study, const Space& space, Action&& act
 
 } // namespace
 
-GridBox<2> grid_around(const exchange::Case& study) {
+template <int dim>
+GridBox<dim> grid_around(const exchange::Case& study) {
   const exchange::PlaneBox box = extent_with_supports(study);
-  GridBox<2> grid{.counts = {}, .size = study.mpm.element_size, .origin = {box.lowest[0], box.lowest[1]}};
+  GridBox<dim> grid{.counts = {}, .size = study.mpm.element_size};
+  if constexpr (dim == 3) grid.counts[1] = static_cast<int>(std::lround(*study.geometry.depth / grid.size));
   for (std::size_t axis = 0; axis < 2; ++axis) {
+    int& count = axis == 0 ? grid.counts[0] : grid.counts.back();
+    grid.origin[axis == 0 ? 0 : dim - 1] = box.lowest[axis];
     const double extent = box.highest[axis] - box.lowest[axis], slack = relative_slack * extent;
-    grid.counts[axis] = static_cast<int>(std::ceil(extent / grid.size * (1.0 - relative_slack)));
-    if (!held_at(study, box.highest[axis], axis, slack)) ++grid.counts[axis];
+    count = static_cast<int>(std::ceil(extent / grid.size * (1.0 - relative_slack)));
+    if (!held_at(study, box.highest[axis], axis, slack)) ++count;
     if (axis != 0 || held_at(study, box.lowest[axis], axis, slack)) continue;
-    ++grid.counts[axis];
+    ++count;
     grid.origin[0] -= grid.size;
   }
   return grid;
 }
 
 template <class Space>
-std::vector<PerAxis<bool, 2>> polygon_supports(const exchange::Case& study, const Space& space) {
-  std::vector<PerAxis<bool, 2>> fixed(static_cast<std::size_t>(space.n_nodes()), {false, false});
+std::vector<PerAxis<bool, Space::dim>> polygon_supports(const exchange::Case& study, const Space& space) {
+  std::vector<PerAxis<bool, Space::dim>> fixed(static_cast<std::size_t>(space.n_nodes()));
+  const auto& numbering = space.node_numbering();
+  for (int node = 0; Space::dim == 3 && node < space.n_nodes(); ++node) {
+    const int slice = numbering.index(node)[1];
+    fixed[static_cast<std::size_t>(node)][1] = slice == 0 || slice == numbering.counts[1] - 1;
+  }
   for_each_held(study, space, [&](int node, int direction, const exchange::Support&) {
     fixed[static_cast<std::size_t>(node)][static_cast<std::size_t>(direction)] = true;
   });
@@ -115,22 +125,29 @@ std::vector<FollowingNode> following_nodes(const exchange::Case& study, const Sp
 template <class Space>
 void place_polygons(const exchange::Case& study, int layer, const std::vector<int>& present, Design& design,
                     Body<Space>& body) {
-  const Lattice lattice{body.space.origin(), body.space.size(), body.layout.row_points};
-  const LayerLift lift(study, layer, PresentLayers(study, design, body.points, present), lattice.spacing());
+  constexpr int dim = Space::dim;
+  const Lattice lattice{in_section<dim>(body.space.origin()), body.space.size(), body.layout.row_points};
+  const LayerLift lift(study, layer, PresentLayers<dim>(study, design, body.points, present), lattice.spacing());
   const double density = study.material_of(layer).density;
   for (const exchange::Polygon& polygon : study.geometry.polygons) {
     if (polygon.layer != layer) continue;
     for (const Piece& piece : cut_polygon(polygon, lattice)) {
       const LayerLift::Spot spot = lift.spot(piece.centroid);
       if (!(spot.area_ratio > 0.0)) refuse_inverted(study, layer, piece.centroid, spot);
-      const double volume = piece.area * spot.area_ratio;
-      design.note(piece.centroid);
-      body.points.add({.layer = layer,
-                       .position = spot.position,
-                       .volume = volume,
-                       .density = density,
-                       .preconsolidation_pressure = body.preconsolidation_of(layer),
-                       .half_lengths = Vector<2>::Constant(0.5 * std::sqrt(volume))});
+      const double area = piece.area * spot.area_ratio;
+      NewPoint<dim> point{.layer = layer,
+                          .volume = dim == 2 ? area : area * lattice.spacing(),
+                          .density = density,
+                          .preconsolidation_pressure = body.preconsolidation_of(layer),
+                          .half_lengths = Vector<dim>::Constant(0.5 * std::sqrt(area))};
+      point.position[0] = spot.position[0], point.position[dim - 1] = spot.position[1];
+      if constexpr (dim == 3) point.half_lengths[1] = 0.5 * lattice.spacing();
+      for (std::size_t row = 0; row < points_in_a_row<dim>(study); ++row) {
+        if constexpr (dim == 3)
+          point.position[1] = body.space.origin()[1] + (static_cast<double>(row) + 0.5) * lattice.spacing();
+        design.note(piece.centroid);
+        body.points.add(point);
+      }
     }
   }
 }
@@ -138,23 +155,29 @@ void place_polygons(const exchange::Case& study, int layer, const std::vector<in
 template <class Space>
 std::vector<double> support_reactions(const exchange::Case& study, const Space& space,
                                       const Eigen::VectorXd& reactions) {
-  std::vector<double> sums(2 * study.supports.size(), 0.0);
+  constexpr std::size_t dim = Space::dim;
+  std::vector<double> sums(dim * study.supports.size(), 0.0);
   std::vector<bool> counted(static_cast<std::size_t>(reactions.size()), false);
   for_each_held(study, space, [&](int node, int direction, const exchange::Support& support) {
-    const auto dof = static_cast<std::size_t>(2 * node + direction);
+    const auto dof = dim * static_cast<std::size_t>(node) + static_cast<std::size_t>(direction);
     if (counted[dof]) return;
     counted[dof] = true;
     const auto number = static_cast<std::size_t>(&support - study.supports.data());
-    sums[2 * number + static_cast<std::size_t>(direction)] += reactions[static_cast<Eigen::Index>(dof)];
+    sums[dim * number + static_cast<std::size_t>(direction)] += reactions[static_cast<Eigen::Index>(dof)];
   });
   return sums;
 }
 
 #define SETTLE_INSTANTIATE(Space)                                                                                      \
-  template std::vector<PerAxis<bool, 2>> polygon_supports(const exchange::Case&, const Space&);                        \
-  template std::vector<FollowingNode> following_nodes(const exchange::Case&, const Space&);                            \
+  template std::vector<PerAxis<bool, Space::dim>> polygon_supports(const exchange::Case&, const Space&);               \
   template void place_polygons(const exchange::Case&, int, const std::vector<int>&, Design&, Body<Space>&);            \
   template std::vector<double> support_reactions(const exchange::Case&, const Space&, const Eigen::VectorXd&);
-SETTLE_FOR_EVERY_PLANE_SPACE(SETTLE_INSTANTIATE)
+SETTLE_FOR_EVERY_SPACE(SETTLE_INSTANTIATE)
+
+#define SETTLE_INSTANTIATE_PLANE(Space)                                                                                \
+  template std::vector<FollowingNode> following_nodes(const exchange::Case&, const Space&);
+SETTLE_FOR_EVERY_PLANE_SPACE(SETTLE_INSTANTIATE_PLANE)
+template GridBox<2> grid_around(const exchange::Case&);
+template GridBox<3> grid_around(const exchange::Case&);
 
 } // namespace settle::mpm

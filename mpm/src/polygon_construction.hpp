@@ -13,13 +13,16 @@
 namespace settle::mpm {
 
 /// A grid of squares around polygons and supports, from their lower left corner, with one more square than their extent
-/// needs on the left, on the right and above where nothing is held there, for free boundaries to move in.
-GridBox<2> grid_around(const exchange::Case& study);
+/// needs on the left, on the right and above where nothing is held there, for free boundaries to move in; in space from
+/// one end wall to the other along y.
+template <int dim>
+GridBox<dim> grid_around(const exchange::Case& study);
 
 /// Which nodes the case's supports hold: those on the support and beyond it, seen from the body, up to a square's
-/// diagonal past its ends. A grid at an angle has no nodes on the boundary itself; the ones beyond stand for it.
+/// diagonal past its ends. A grid at an angle has no nodes on the boundary itself; the ones beyond stand for it. In
+/// space those that hold both directions hold y too, and the two end walls hold y.
 template <class Space>
-std::vector<PerAxis<bool, 2>> polygon_supports(const exchange::Case& study, const Space& space);
+std::vector<PerAxis<bool, Space::dim>> polygon_supports(const exchange::Case& study, const Space& space);
 
 /// The degrees of freedom that follow the case's motion.
 template <class Space>
@@ -32,8 +35,8 @@ template <class Space>
 void place_polygons(const exchange::Case& study, int layer, const std::vector<int>& present, Design& design,
                     Body<Space>& body);
 
-/// Forces of each support on the body, x and y, from those at all nodes (2 * nodes) [N/m]. Where two supports hold a
-/// node in one direction, it counts for the first.
+/// Forces of each support on the body, along each axis, from those at all nodes (dim * nodes) [N/m in 2-D, else N].
+/// Where two supports hold a node in one direction, it counts for the first.
 template <class Space>
 std::vector<double> support_reactions(const exchange::Case& study, const Space& space,
                                       const Eigen::VectorXd& reactions);

@@ -103,8 +103,9 @@ template std::map<std::string, exchange::ProbeSamples> sample_probes(const excha
 template std::map<std::string, exchange::ProbeSamples> sample_probes(const exchange::Case&, const Points<3>&,
                                                                      const std::vector<LayerPlacement>&);
 
-std::map<std::string, exchange::ProbeSamples> sample_drawn_probes(const exchange::Case& study, const Points<2>& points,
-                                                                  const Design& design,
+template <int dim>
+std::map<std::string, exchange::ProbeSamples> sample_drawn_probes(const exchange::Case& study,
+                                                                  const Points<dim>& points, const Design& design,
                                                                   const std::vector<int>& present) {
   std::map<std::string, exchange::ProbeSamples> samples;
   std::map<int, Scattered> layers;
@@ -116,14 +117,23 @@ std::map<std::string, exchange::ProbeSamples> sample_drawn_probes(const exchange
       const auto layer = layers.find(probe.layer);
       if (layer == layers.end()) continue;
       const Vector<2> place(probe.x, probe.design_height);
-      const PlaneFit fit = fit_plane(layer->second, points_of_a_fit, place);
+      const PlaneFit fit = fit_plane(layer->second, points_of_a_fit * points_in_a_row<dim>(study), place);
       const Vector<2> moved_before = fit.sum([&](std::size_t p) -> Vector<2> {
-        return Vector<2>(points.placed[0][p], points.placed[1][p]) - design.place_of(points.id[p]);
+        return Vector<2>(points.placed[0][p], points.placed[dim - 1][p]) - design.place_of(points.id[p]);
       });
-      add<2>(probe, place + moved_before, fit.sum([&](std::size_t p) { return sampled_values(points, p); }), own);
+      Vector<dim> placed;
+      placed[0] = place[0] + moved_before[0];
+      if constexpr (dim == 3) placed[1] = probe.y;
+      placed[dim - 1] = place[1] + moved_before[1];
+      add<dim>(probe, placed, fit.sum([&](std::size_t p) { return sampled_values(points, p); }), own);
     }
   }
   return samples;
 }
+
+template std::map<std::string, exchange::ProbeSamples> sample_drawn_probes(const exchange::Case&, const Points<2>&,
+                                                                           const Design&, const std::vector<int>&);
+template std::map<std::string, exchange::ProbeSamples> sample_drawn_probes(const exchange::Case&, const Points<3>&,
+                                                                           const Design&, const std::vector<int>&);
 
 } // namespace settle::mpm

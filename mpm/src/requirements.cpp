@@ -189,14 +189,35 @@ void require_threads(const exchange::Case& study) {
                               .remedy = fmt::format("set mpm.threads = {}", most)});
 }
 
+/// A section is extruded by whole elements, and nothing loads it but weight.
+void require_extrusion_that_fits(const exchange::Case& study) {
+  const double depth = *study.geometry.depth, deep = depth / study.mpm.element_size;
+  const double slices = std::max(1.0, std::round(deep));
+  if (std::abs(deep - slices) > 1e-6 * slices)
+    throw exchange::InputError({.where = study.where("geometry.depth"),
+                                .what = "the depth is no multiple of mpm.element_size",
+                                .given = fmt::format("{:g} m with elements of {:g} m", depth, study.mpm.element_size),
+                                .allowed = "whole elements from one end wall to the other",
+                                .remedy = fmt::format("set geometry.depth = {:g}", slices * study.mpm.element_size)});
+  for (std::size_t number = 0; number < study.stages.size(); ++number)
+    if (study.stages[number].action == exchange::Action::load)
+      throw exchange::InputError({.where = study.where(fmt::format("stage.{}.action", number)),
+                                  .what = "settle-mpm loads surfaces in the plane only",
+                                  .given = "action = \"load\" with geometry.dimension = 3",
+                                  .allowed = "\"ground\", \"place\", \"remove\", \"hold\"",
+                                  .remedy = "set geometry.dimension = 2: the section is the same"});
+}
+
 /// What polygons and a motion ask for that is not there.
 void require_polygons_that_fit(const exchange::Case& study) {
-  if (study.mpm.element != exchange::MpmElement::quadrilateral)
-    throw exchange::InputError({.where = study.where("mpm.element"),
-                                .what = "polygons are filled by the lattice of a quadrilateral's points",
-                                .given = fmt::format("mpm.element = {}", quoted(study.mpm.element)),
-                                .allowed = quoted(exchange::MpmElement::quadrilateral),
-                                .remedy = "set mpm.element = \"quadrilateral\""});
+  if (const auto box = kind_of(study.mpm.element).box)
+    throw exchange::InputError(
+        {.where = study.where("mpm.element"),
+         .what = fmt::format("polygons are filled by the lattice of a {}'s points", exchange::name_of(*box)),
+         .given = fmt::format("mpm.element = {}", quoted(study.mpm.element)),
+         .allowed = quoted(*box),
+         .remedy = fmt::format("set mpm.element = {}", quoted(*box))});
+  if (study.geometry.dimension == 3) require_extrusion_that_fits(study);
   require_stages_that_fit(study);
   if (study.mpm.scheme == exchange::Scheme::quasi_static) return;
   for (std::size_t number = 0; number < study.supports.size(); ++number) {
@@ -210,21 +231,10 @@ void require_polygons_that_fit(const exchange::Case& study) {
   }
 }
 
-/// Polygons lie in a plane.
-void require_plane(const exchange::Case& study) {
-  if (!study.geometry.drawn() || study.geometry.dimension == 2) return;
-  throw exchange::InputError({.where = study.where("geometry.dimension"),
-                              .what = "settle-mpm fills polygons in a plane only",
-                              .given = "3",
-                              .allowed = "2",
-                              .remedy = "solve the case with settle-fem alone"});
-}
-
 } // namespace
 
 void require_solvable(const exchange::Case& study) {
   if (study.geometry.shape == exchange::Shape::point) return require_point_that_fits(study);
-  require_plane(study);
   require_element_of_the_dimension(study);
   require_points_that_fit(study);
   require_basis_of_the_element(study);

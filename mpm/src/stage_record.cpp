@@ -35,12 +35,16 @@ exchange::SamplePoints sample_points(const Points<dim>& points) {
 template exchange::SamplePoints sample_points(const Points<2>&);
 template exchange::SamplePoints sample_points(const Points<3>&);
 
-double highest_surface(const Points<2>& points) {
+template <int dim>
+double highest_surface(const Points<dim>& points, double row) {
   double highest = -std::numeric_limits<double>::infinity();
   for (std::size_t p = 0; p < points.size(); ++p)
-    highest = std::max(highest, points.position[1][p] + 0.5 * std::sqrt(points.volume[p]));
+    highest = std::max(highest, points.position[dim - 1][p] + 0.5 * std::sqrt(points.volume[p] / row));
   return highest;
 }
+
+template double highest_surface(const Points<2>&, double);
+template double highest_surface(const Points<3>&, double);
 
 template <class Space>
 double surface_height(const Body<Space>& body, exchange::Convention convention) {

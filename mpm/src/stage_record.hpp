@@ -26,13 +26,16 @@ std::map<std::string, exchange::ProbeSamples> sample_probes(const exchange::Case
                                                             const std::vector<LayerPlacement>& placements);
 
 /// The case's probes across polygons of the layers that are present: planes through the nearest points of the layer, by
-/// their places in the design.
-std::map<std::string, exchange::ProbeSamples> sample_drawn_probes(const exchange::Case& study, const Points<2>& points,
-                                                                  const Design& design,
+/// their places in the section: in space the mean of rows along y.
+template <int dim>
+std::map<std::string, exchange::ProbeSamples> sample_drawn_probes(const exchange::Case& study,
+                                                                  const Points<dim>& points, const Design& design,
                                                                   const std::vector<int>& present);
 
-/// Of what is drawn: the highest point plus half the side of its square [m].
-double highest_surface(const Points<2>& points);
+/// Of what is drawn: the highest point plus half the side of its square; `row`: what a point fills along y, 1 in 2-D
+/// [m].
+template <int dim>
+double highest_surface(const Points<dim>& points, double row);
 
 /// Height of a column's surface [m]: points' volume over the width, in 3-D over the plan's area; for `drop`, where
 /// there may be gaps, the highest point plus half the height of its row.

@@ -136,17 +136,6 @@ TEST(Requirements, ElementsHaveToDivideALayerTheWidthAndTheDepth) {
   expect_refused({"geometry.width=0.2"}, "mpm.element_size", "");
 }
 
-TEST(Requirements, WhatIsDrawnIsFilledInThePlaneOnly) {
-  exchange::Case drawn = paper_column({"geometry.dimension=3", "mpm.element=hexahedron"});
-  drawn.geometry.shape = exchange::Shape::polygons;
-  try {
-    require_solvable(drawn);
-    FAIL() << "a drawn body in space was accepted";
-  } catch (const exchange::InputError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("settle-mpm fills polygons in a plane only"));
-  }
-}
-
 TEST(Used, IsWhatTheCaseAsksForWithFiniteKinematics) {
   const auto values = used(paper_column({"construction.convention=level-up"}));
   EXPECT_NEAR(values.youngs_modulus, 400e3, 1e-6);

@@ -141,6 +141,27 @@ double difference(const std::vector<double>& value, const std::vector<double>& r
   return std::sqrt(sum / scale);
 }
 
+/// Per depth, and nothing along y. `balance`: of forces, as for the schemes.
+void expect_section_of(const exchange::Stage& body, const exchange::Stage& section, double depth, double balance) {
+  EXPECT_NEAR(body.mass, depth * section.mass, 1e-3 * balance * body.mass);
+  EXPECT_NEAR(body.base_reaction, body.weight, balance * body.weight);
+  EXPECT_NEAR(body.support_reactions[2], body.base_reaction, balance * body.weight);
+  EXPECT_NEAR(body.surface_height, section.surface_height, balance);
+  const auto &own = body.probes.at("axis"), &reference = section.probes.at("axis");
+  ASSERT_EQ(own.size(), reference.size());
+  std::vector<double> displacement, stress;
+  for (std::size_t i = 0; i < own.size(); ++i) {
+    EXPECT_NEAR(own.displacement[3 * i + 1], 0.0, 1e-9);
+    for (const std::size_t c : {0U, 2U})
+      displacement.push_back(own.displacement[3 * i + c]);
+    for (const std::size_t c : {0U, 2U, 1U, 5U})
+      stress.push_back(own.stress[6 * i + c]);
+    stress.insert(stress.end(), {0.0, 0.0});
+  }
+  EXPECT_LT(difference(displacement, reference.displacement), balance);
+  EXPECT_LT(difference(stress, reference.stress), balance);
+}
+
 /// The schemes end at a relative force of 1e-9 and of 1e-5.
 struct SchemeOfTest {
   std::string name;
@@ -269,6 +290,47 @@ TEST(StagedBody, LayersOnASettledSurfaceAreThoseOfAColumn) {
     EXPECT_LT(difference(own.displacement, reference.displacement), 5e-3) << convention;
     EXPECT_NEAR(drawn.back().mass, column.back().mass, 2e-4 * column.back().mass) << convention;
   }
+}
+
+/// Elements one and two deep.
+TEST_P(BothSchemes, AnExtrudedEmbankmentIsItsSection) {
+  const std::string stages = stage("place", 1) + hold + stage("place", 2) + stage("remove", 2);
+  for (const std::string convention : {"drop", "float", "level-up"})
+    for (const double depth : {0.25, 0.5}) {
+      Overrides overrides = scheme();
+      overrides.push_back("construction.convention=" + convention);
+      const auto section = stages_of(embankment(stages, overrides));
+      overrides.insert(overrides.end(), {"geometry.dimension=3", "geometry.depth=" + std::to_string(depth),
+                                         "mpm.element=hexahedron", "mpm.points_per_element=8"});
+      const auto body = stages_of(embankment(stages, overrides));
+      ASSERT_EQ(body.size(), section.size());
+      for (std::size_t i = 0; i < body.size(); ++i)
+        expect_section_of(body[i], section[i], depth, GetParam().balance);
+    }
+}
+
+TEST(StagedBody, ExtrudedGroundStartsWithTheStressOfItsDepth) {
+  const auto stages = stages_of(box(2, stage("ground", 1, "k0 = 0.7\n") + stage("ground", 2, "k0 = 0.4\n"),
+                                    {"geometry.dimension=3", "geometry.depth=0.5", "mpm.element=hexahedron"}));
+  const exchange::SamplePoints& points = stages[1].points;
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    const double vertical = -density * gravity * (1.0 - points.position[3 * p + 2]);
+    EXPECT_NEAR(points.stress[6 * p + 2], vertical, 1e-8 * 1.7e4);
+    EXPECT_NEAR(points.stress[6 * p], (points.layer[p] == 1 ? 0.7 : 0.4) * vertical, 1e-8 * 1.7e4);
+    EXPECT_NEAR(points.stress[6 * p + 1], points.stress[6 * p], 1e-8 * 1.7e4);
+  }
+  EXPECT_NEAR(stages[1].mass, density * 2.0 * 1.0 * 0.5, 1e-12 * stages[1].mass);
+  EXPECT_NEAR(stages[1].base_reaction, stages[1].weight, 1e-7 * stages[1].weight);
+}
+
+TEST(StagedRequirements, AnExtrusionIsOfWholeHexahedraAndItsSurfaceIsNotLoaded) {
+  const Overrides solid{"geometry.dimension=3", "mpm.element=hexahedron", "geometry.depth=0.5"};
+  const auto with = [&](const std::string& other) { return Overrides{solid[0], solid[1], solid[2], other}; };
+  const std::string placed = stage("place", 1) + stage("place", 2);
+  EXPECT_THAT(complaint_about(embankment(placed, with("geometry.depth=0.6"))), HasSubstr("set geometry.depth = 0.5"));
+  EXPECT_THAT(complaint_about(embankment(placed, with("mpm.element=tetrahedron"))), HasSubstr("hexahedron"));
+  const std::string load = surface_load("[0.0, -2e3]", "[0.5, 1.0]", "[-0.5, 1.0]");
+  EXPECT_THAT(complaint_about(embankment(placed + load, solid)), HasSubstr("loads surfaces in the plane only"));
 }
 
 TEST(StagedBody, ALevelUpReachesTheDesignLevelAndAFloatStaysBelowItByTheSettlement) {
