@@ -35,7 +35,8 @@ private:
   int number_;
 };
 
-/// What the child does between fork and exec, where next to nothing is allowed. Writes `errno` where it fails.
+/// What the child does between vfork and exec, in its parent's memory: nothing but calls of the system. Writes `errno`
+/// where it fails.
 [[noreturn]] void become(const char* program, char* const* arguments, int input, int log, int complaint, pid_t parent) {
   setpgid(0, 0);
   prctl(PR_SET_PDEATHSIG, SIGKILL);
@@ -81,7 +82,7 @@ void Child::start(const ProcessRequest& request) {
   const Descriptor reading(ends[0]);
   Descriptor writing(ends[1]);
   const pid_t parent = getpid();
-  id_ = fork();
+  id_ = vfork(); // a copy of the driver's pages would cost both of them more than the rest of the start
   if (id_ == 0)
     become(request.program.c_str(), arguments.data(), input.number(), log.number(), writing.number(), parent);
   writing.reset(); // ours: the child's closes when it becomes the program

@@ -148,13 +148,14 @@ struct Across {
   [[nodiscard]] bool has_fewer_points() const { return points < functions(); }
 };
 
-/// B-splines that points do not feel. Full cells distribute their force over all functions, points move only what they
-/// feel of it: where there are fewer points side by side than functions, an explicit stage does not come to rest. Where
-/// there are fewer along both horizontal axes, a product of two functions, each of which is zero at all points, is a
-/// motion without resistance, and no quasi-static increment has a solution.
+/// B-splines that points do not feel, nor their domains. Full cells distribute their force over all functions, points
+/// move only what they feel of it: where there are fewer points side by side than functions, an explicit stage does not
+/// come to rest. Where there are fewer along both horizontal axes, a product of two functions, each of which is zero at
+/// all points (or on the average over all domains), is a motion without resistance, and no quasi-static increment has a
+/// solution.
 void require_points_that_feel_all_splines(const exchange::Case& study, const exchange::ElementCounts& counts) {
   const auto& mpm = study.mpm;
-  if (mpm.basis != exchange::Basis::b_spline) return;
+  if (mpm.basis != exchange::Basis::b_spline && mpm.basis != exchange::Basis::b_spline_gimp) return;
   const int dimension = study.geometry.dimension;
   const int per_side = static_cast<int>(std::lround(std::pow(*mpm.points_per_element, 1.0 / dimension)));
   std::vector<Across> axes{{counts.across, counts.across * per_side}};

@@ -21,6 +21,8 @@ auto with_box_space(exchange::Basis basis, Action&& action) {
     return action(std::type_identity<GimpSpace<dim>>());
   case exchange::Basis::b_spline:
     return action(std::type_identity<BSplineSpace<dim>>());
+  case exchange::Basis::b_spline_gimp:
+    return action(std::type_identity<BSplineGimpSpace<dim>>());
   }
   return action(std::type_identity<BoxSpace<dim>>());
 }

@@ -6,7 +6,7 @@
 #include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
 
-#include "settle/mpm/b_spline_space.hpp"
+#include "settle/mpm/product_space.hpp"
 
 namespace settle::mpm::test {
 namespace {

@@ -27,8 +27,9 @@ struct Block {
 inline constexpr double block_density = 1800.0; ///< [kg/m3]
 
 /// Every space, for typed tests.
-using EverySpace = testing::Types<TriangleSpace, QuadrilateralSpace, GimpSpace<2>, BSplineSpace<2>, TetrahedronSpace,
-                                  HexahedronSpace, GimpSpace<3>, BSplineSpace<3>>;
+using EverySpace =
+    testing::Types<TriangleSpace, QuadrilateralSpace, GimpSpace<2>, BSplineSpace<2>, TetrahedronSpace, HexahedronSpace,
+                   GimpSpace<3>, BSplineSpace<3>, BSplineGimpSpace<2>, BSplineGimpSpace<3>>;
 
 /// The name of a space in the name of a typed test.
 struct SpaceName {
@@ -38,7 +39,9 @@ struct SpaceName {
     if (std::is_same_v<Space, TriangleSpace>) return "Triangle";
     if (std::is_same_v<Space, TetrahedronSpace>) return "Tetrahedron";
     if (std::is_same_v<Space, BoxSpace<dim>>) return dim == 2 ? "Quadrilateral" : "Hexahedron";
-    return (std::is_same_v<Space, GimpSpace<dim>> ? "Gimp" : "BSpline") + std::to_string(dim) + "d";
+    const std::string in_dimensions = std::to_string(dim) + "d";
+    if (std::is_same_v<Space, BSplineSpace<dim>>) return "BSpline" + in_dimensions;
+    return (std::is_same_v<Space, GimpSpace<dim>> ? "Gimp" : "BSplineGimp") + in_dimensions;
   }
 };
 

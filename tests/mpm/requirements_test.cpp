@@ -52,7 +52,7 @@ TEST(Threads, AreOneInTheQuasiStaticSchemeWhateverIsAskedFor) {
 }
 
 TEST(Requirements, SmoothBasesAreThoseOfQuadrilaterals) {
-  for (const std::string basis : {"gimp", "b-spline"}) {
+  for (const std::string basis : {"gimp", "b-spline", "b-spline-gimp"}) {
     expect_refused({"mpm.basis=" + basis}, "--set mpm.basis=" + basis, "set mpm.element = \"quadrilateral\"");
     EXPECT_NO_THROW(require_solvable(paper_column({"mpm.basis=" + basis, "mpm.element=quadrilateral"})));
     expect_refused({"mpm.basis=" + basis, "mpm.element=tetrahedron", "geometry.dimension=3"},
@@ -84,13 +84,15 @@ TEST(Requirements, SplinesOverFullCellsNeedThemAlongTheShorterSideOfASolidColumn
 
 TEST(Requirements, QuasiStaticSplinesNeedThemAlongOneSideOfASolidColumn) {
   for (const char* integration : {"mpm.integration=mixed", "mpm.integration=points"}) {
-    const Overrides splines{integration, "mpm.element=hexahedron", "geometry.dimension=3", "mpm.basis=b-spline",
-                            "mpm.points_per_element=8"};
-    expect_refused(splines, "--set mpm.points_per_element=8", "2 points, 3 functions");
-    for (const char* change : {"mpm.points_per_element=27", "geometry.width=0.25", "geometry.depth=0.25"}) {
-      Overrides changed = splines;
-      changed.emplace_back(change);
-      EXPECT_NO_THROW(require_solvable(paper_column(changed))) << change;
+    for (const char* basis : {"mpm.basis=b-spline", "mpm.basis=b-spline-gimp"}) {
+      const Overrides splines{integration, "mpm.element=hexahedron", "geometry.dimension=3", basis,
+                              "mpm.points_per_element=8"};
+      expect_refused(splines, "--set mpm.points_per_element=8", "2 points, 3 functions");
+      for (const char* change : {"mpm.points_per_element=27", "geometry.width=0.25", "geometry.depth=0.25"}) {
+        Overrides changed = splines;
+        changed.emplace_back(change);
+        EXPECT_NO_THROW(require_solvable(paper_column(changed))) << change;
+      }
     }
   }
   EXPECT_NO_THROW(

@@ -91,7 +91,9 @@ TEST(SolidColumn, OnHexahedraIsThePlaneColumnToRoundOffForEveryLawAndSmoothBasis
        {Overrides{"material.fill.law=hencky"}, Overrides{"material.fill.law=neo-hookean"},
         Overrides{"mpm.jaumann=true"}, Overrides{"mpm.average_stress=true"},
         Overrides{"mpm.basis=gimp", "mpm.integration=points"},
-        Overrides{"mpm.basis=b-spline", "mpm.integration=points", "geometry.width=0.25", "geometry.depth=0.125"}}) {
+        Overrides{"mpm.basis=b-spline", "mpm.integration=points", "geometry.width=0.25", "geometry.depth=0.125"},
+        Overrides{"mpm.basis=b-spline-gimp", "mpm.integration=points", "geometry.width=0.25",
+                  "geometry.depth=0.125"}}) {
     SCOPED_TRACE(change.front());
     expect_the_plane_column(together(two, change), 1e-9);
   }

@@ -82,10 +82,14 @@ template <>
 struct PlaneOf<BSplineSpace<3>> {
   using Space = BSplineSpace<2>;
 };
+template <>
+struct PlaneOf<BSplineGimpSpace<3>> {
+  using Space = BSplineGimpSpace<2>;
+};
 
 template <class Space>
 class ProductSpaceOf : public testing::Test {};
-using ProductSpaces = testing::Types<HexahedronSpace, GimpSpace<3>, BSplineSpace<3>>;
+using ProductSpaces = testing::Types<HexahedronSpace, GimpSpace<3>, BSplineSpace<3>, BSplineGimpSpace<3>>;
 TYPED_TEST_SUITE(ProductSpaceOf, ProductSpaces, SpaceName);
 
 template <class T>

@@ -22,7 +22,7 @@ enum class Law { rate, hencky, neo_hookean, tresca, mohr_coulomb, drucker_prager
 enum class Action { ground, place, remove, hold, load };
 enum class Convention { refill, level_up, floating, drop };
 enum class MpmElement { triangle, quadrilateral, tetrahedron, hexahedron };
-enum class Basis { linear, gimp, b_spline };
+enum class Basis { linear, gimp, b_spline, b_spline_gimp };
 enum class Integration { mixed, points };
 enum class RefillRule { sub_element, element };
 enum class Scheme { quasi_static, explicit_dynamic };
@@ -101,7 +101,7 @@ struct EnumNames<MpmElement> {
 };
 template <>
 struct EnumNames<Basis> {
-  static constexpr std::array<std::string_view, 3> names{"linear", "gimp", "b-spline"};
+  static constexpr std::array<std::string_view, 4> names{"linear", "gimp", "b-spline", "b-spline-gimp"};
 };
 template <>
 struct EnumNames<Integration> {

@@ -18,9 +18,8 @@
 ///     cell_average(cell)          values and gradients of the cell's shape functions, averaged over its volume
 #pragma once
 
-#include "settle/mpm/b_spline_space.hpp"
-#include "settle/mpm/box_space.hpp"
-#include "settle/mpm/gimp_space.hpp"
+#include "settle/mpm/domain_space.hpp"
+#include "settle/mpm/product_space.hpp"
 #include "settle/mpm/tetrahedron_space.hpp"
 #include "settle/mpm/triangle_space.hpp"
 
@@ -29,7 +28,8 @@
   X(TriangleSpace)                                                                                                     \
   X(QuadrilateralSpace)                                                                                                \
   X(GimpSpace<2>)                                                                                                      \
-  X(BSplineSpace<2>)
+  X(BSplineSpace<2>)                                                                                                   \
+  X(BSplineGimpSpace<2>)
 
 /// Calls the macro X with every space.
 #define SETTLE_FOR_EVERY_SPACE(X)                                                                                      \
@@ -37,4 +37,5 @@
   X(TetrahedronSpace)                                                                                                  \
   X(HexahedronSpace)                                                                                                   \
   X(GimpSpace<3>)                                                                                                      \
-  X(BSplineSpace<3>)
+  X(BSplineSpace<3>)                                                                                                   \
+  X(BSplineGimpSpace<3>)

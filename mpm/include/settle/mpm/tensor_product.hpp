@@ -8,15 +8,14 @@
 
 namespace settle::mpm {
 
-/// Functions of one coordinate at a place: values and derivatives by the local coordinate. They belong to `capacity`
-/// lines of nodes, one after the other from `first` on.
-template <int capacity>
-struct LineFunctions {
-  int first = 0;
-  std::array<double, static_cast<std::size_t>(capacity)> values, slopes;
-
-  [[nodiscard]] static constexpr int count() { return capacity; }
-};
+/// base^exponent.
+template <int exponent>
+constexpr int power(int base) {
+  int product = 1;
+  for (int i = 0; i < exponent; ++i)
+    product *= base;
+  return product;
+}
 
 /// A product in progress: of functions along the last axes.
 template <std::size_t dim>
