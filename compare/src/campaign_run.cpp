@@ -1,8 +1,11 @@
 #include "settle/compare/campaign_run.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <semaphore>
 #include <set>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -56,19 +59,36 @@ std::string complaint_of_folder(const std::filesystem::path& folder, const Expan
   }
 }
 
-/// The tasks of a plan being worked off by several threads.
+/// One of the places for solvers that run at the same time, taken until it is left.
+class Slot {
+public:
+  explicit Slot(std::counting_semaphore<>& slots) : slots_(slots) { slots_.acquire(); }
+  Slot(const Slot&) = delete;
+  Slot& operator=(const Slot&) = delete;
+  ~Slot() { leave(); }
+  void leave() {
+    if (std::exchange(taken_, false)) slots_.release();
+  }
+
+private:
+  std::counting_semaphore<>& slots_;
+  bool taken_ = true;
+};
+
+/// The tasks of a plan being worked off by several threads: twice as many as there are solvers at a time, so that the
+/// next ones run while results are read, brought to the disk, and judged.
 class Execution {
 public:
   Execution(const Plan& plan, const RunOptions& options, const std::atomic<bool>& stop, std::vector<RunOutcome>& runs)
       : plan_(plan), options_(options), stop_(stop), runs_(runs), observer_(plan, options.jobs, options.on_progress),
-        unfinished_(runs.size()) {}
+        unfinished_(runs.size()), slots_(std::max(options.jobs, 1)) {}
 
   void run_all() {
     folder_complaints_ = prepare_run_folders(plan_, options_.folder);
     for (std::size_t r = 0; r < plan_.runs.size(); ++r)
       unfinished_[r] = plan_.runs[r].solvers.size();
     const std::vector<std::size_t> order = order_of(plan_);
-    parallel_for(order.size(), options_.jobs, [&](std::size_t i) {
+    parallel_for(order.size(), 2 * options_.jobs, [&](std::size_t i) {
       if (!stop_) execute(plan_.tasks[order[i]]);
     });
   }
@@ -76,20 +96,22 @@ public:
 private:
   void execute(const Task& task) {
     RunOutcome& run = runs_[task.run];
+    Slot slot(slots_);
+    if (stop_) return;
     observer_.started(task);
-    run.solvers[task.solver] = outcome_of(task);
+    run.solvers[task.solver] = outcome_of(task, slot);
     observer_.ended(task, run.solvers[task.solver]);
     if (--unfinished_[task.run] == 0 && !stop_) judge_into(run);
   }
 
-  SolverRun outcome_of(const Task& task) {
+  SolverRun outcome_of(const Task& task, Slot& slot) {
     if (!task.is_due()) {
       SolverRun run = taken_up(task);
       if (run.status == SolverStatus::finished || options_.judge_only) return run;
     } // else this build cannot read it: it is run
     const std::string& complaint = folder_complaints_[task.run];
     if (!complaint.empty()) return without_folder(task, complaint);
-    return options_.judge_only ? recorded_end(task) : run_task(task, stop_);
+    return options_.judge_only ? recorded_end(task) : run_task(task, stop_, [&] { slot.leave(); });
   }
 
   const Plan& plan_;
@@ -99,6 +121,7 @@ private:
   Observer observer_;
   std::vector<std::string> folder_complaints_;
   std::vector<std::atomic<std::size_t>> unfinished_; ///< solvers of each run
+  std::counting_semaphore<> slots_;
 };
 
 bool lacks_its_result(SolverStatus status) {

@@ -124,7 +124,8 @@ void blame_full_disk(const SolverJob& job, SolverRun& run) {
   run.message += fmt::format("; there is no space left in {}", job.result_file.parent_path().string());
 }
 
-void run_process_of(const SolverJob& job, const Invocation& invocation, const std::atomic<bool>& stop, SolverRun& run) {
+void run_process_of(const SolverJob& job, const Invocation& invocation, const std::atomic<bool>& stop,
+                    const std::function<void()>& on_end, SolverRun& run) {
   const fs::path log = log_of(job.result_file);
   const ProcessOutcome outcome = run_process({.program = invocation.program,
                                               .arguments = invocation.arguments,
@@ -132,6 +133,7 @@ void run_process_of(const SolverJob& job, const Invocation& invocation, const st
                                               .time_limit = job.time_limit,
                                               .memory_limit = job.memory_limit},
                                              stop);
+  if (on_end) on_end();
   run.wall_time = outcome.wall_time;
   run.cpu_time = outcome.cpu_time;
   run.peak_memory = outcome.peak_memory;
@@ -173,13 +175,13 @@ void describe(const JoinedSolver& joined, SolverRun& run) {
   run.kinematics = joined.kinematics;
 }
 
-SolverRun run_solver(const SolverJob& job, const std::atomic<bool>& stop) {
+SolverRun run_solver(const SolverJob& job, const std::atomic<bool>& stop, const std::function<void()>& on_end) {
   SolverRun run{.solver = job.solver, .command = command_of(job), .result_file = job.result_file};
   if (job.joined) describe(*job.joined, run);
   const Invocation invocation = invocation_of(job);
   if (invocation.program.empty()) return not_found(job, std::move(run));
   discard_result(job.result_file);
-  run_process_of(job, invocation, stop, run);
+  run_process_of(job, invocation, stop, on_end, run);
   return run;
 }
 

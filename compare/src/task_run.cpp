@@ -56,8 +56,8 @@ bool leaves_the_record(const Task& task, const SolverRun& run) {
 
 } // namespace
 
-SolverRun run_task(const Task& task, const std::atomic<bool>& stop) {
-  SolverRun run = run_solver(task.job, stop);
+SolverRun run_task(const Task& task, const std::atomic<bool>& stop, const std::function<void()>& on_end) {
+  SolverRun run = run_solver(task.job, stop, on_end);
   const bool has_ended = !stop || run.status == SolverStatus::finished;
   if (has_ended && !leaves_the_record(task, run)) note(task, run);
   return run;

@@ -1,6 +1,9 @@
-#include <sys/file.h>
+#include <algorithm>
+#include <fstream>
+#include <iterator>
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #include <fmt/format.h>
@@ -73,6 +76,21 @@ TEST_F(CampaignEngine, AFinishedCampaignHasNothingToRunAndSaysTheSameAgain) {
   EXPECT_THAT(second.text, AllOf(HasSubstr("nothing to run"), ContainsRegex("column b +[0-9]+ ")));
   EXPECT_EQ(fs::last_write_time(out() / "report.html"), written);
   EXPECT_EQ(runs_of("mpm"), 3);
+}
+
+TEST_F(CampaignEngine, NoMoreSolversRunAtATimeThanAskedForWhileOthersAreJudged) {
+  const std::string running = (folder.path() / "running").string(), counts = (folder.path() / "counts").string();
+  for (const std::string solver : {"mpm", "fem"})
+    play(solver, fmt::format("mkdir -p {0}; touch {0}/$$; ls {0} | wc -l >> {1}; sleep 0.1\ncp {2} \"$out\"; rm {0}/$$",
+                             running, counts, prepared(solver).string()));
+  for (const int jobs : {1, 2}) {
+    fs::remove(counts);
+    ASSERT_EQ(campaign({"--fresh", "-j", std::to_string(jobs)}).code, 0);
+    std::ifstream lines(counts);
+    const std::vector<int> at_a_time{std::istream_iterator<int>(lines), {}};
+    ASSERT_EQ(at_a_time.size(), 6U);
+    EXPECT_LE(*std::max_element(at_a_time.begin(), at_a_time.end()), jobs);
+  }
 }
 
 TEST_F(CampaignEngine, AFinishedCampaignThatHasNotPassedEndsInTheSameExitCodeAgain) {

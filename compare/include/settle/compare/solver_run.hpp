@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -37,8 +38,9 @@ std::string command_of(const SolverJob& job);
 void describe(const JoinedSolver& joined, SolverRun& run);
 
 /// Runs the solver, after an earlier result was removed; where the solver is not installed that stays. Never throws for
-/// what a solver does: a crash, a limit, a full disk, a missing or unreadable result are statuses.
-SolverRun run_solver(const SolverJob& job, const std::atomic<bool>& stop);
+/// what a solver does: a crash, a limit, a full disk, a missing or unreadable result are statuses. `on_end` is called
+/// when the process has ended, before its result is read.
+SolverRun run_solver(const SolverJob& job, const std::atomic<bool>& stop, const std::function<void()>& on_end = {});
 
 /// Takes a result that is there, without running anything: finished, no result, or bad result.
 SolverRun stored_result(const std::string& solver, const std::filesystem::path& result_file);

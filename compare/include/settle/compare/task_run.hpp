@@ -3,6 +3,7 @@
 #pragma once
 
 #include <atomic>
+#include <functional>
 #include <string>
 
 #include "settle/compare/campaign_plan.hpp"
@@ -11,8 +12,8 @@
 namespace settle::compare {
 
 /// Runs the solver and notes in the task's record what it was made from, has cost, and how it ended; nothing is noted
-/// where `stop` has ended it.
-SolverRun run_task(const Task& task, const std::atomic<bool>& stop);
+/// where `stop` has ended it. `on_end` is called when its process has ended, before its result is read and kept safe.
+SolverRun run_task(const Task& task, const std::atomic<bool>& stop, const std::function<void()>& on_end = {});
 
 /// A result that is up to date, with what it has cost.
 SolverRun taken_up(const Task& task);

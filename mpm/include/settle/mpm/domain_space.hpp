@@ -1,5 +1,6 @@
 /// \file
-/// Generalised interpolation: products of functions of one coordinate, averaged over the domain that each point carries.
+/// Generalised interpolation: products of functions of one coordinate, averaged over the domain that each point
+/// carries.
 #pragma once
 
 #include <algorithm>
@@ -9,12 +10,12 @@
 
 namespace settle::mpm {
 
-/// Contiguous-particle GIMP (Bardenhagen & Kober 2004), with hat functions as there or with quadratic B-splines: a point
-/// fills a rectangle (in 3-D a cuboid) along the axes, its domain, and feels the averages over it of the functions of the
-/// nodes and of their gradients. A domain reaches as far as its half-lengths, but never beyond a side of the grid or the
-/// squares next to the point's own: it is made shorter on both ends alike there, so that linear fields keep their value
-/// at the point. Every square is a cell and holds the points whose centres lie in it. A space as described in
-/// spaces.hpp.
+/// Contiguous-particle GIMP (Bardenhagen & Kober 2004), with hat functions as there or with quadratic B-splines: a
+/// point fills a rectangle (in 3-D a cuboid) along the axes, its domain, and feels the averages over it of the
+/// functions of the nodes and of their gradients. A domain reaches as far as its half-lengths, but never beyond a side
+/// of the grid or the squares next to the point's own: it is made shorter on both ends alike there, so that linear
+/// fields keep their value at the point. Every square is a cell and holds the points whose centres lie in it. A space
+/// as described in spaces.hpp.
 template <int space_dim, class Functions>
 class DomainSpace : public SquareCells<space_dim, Functions> {
 public:

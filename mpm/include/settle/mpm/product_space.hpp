@@ -9,7 +9,8 @@
 
 namespace settle::mpm {
 
-/// The cells and nodes of products of `Functions`: cell s is square s; its nodes are numbered along x first, from below.
+/// The cells and nodes of products of `Functions`: cell s is square s; its nodes are numbered along x first, from
+/// below.
 template <int space_dim, class Functions>
 class SquareCells : public GridWithNodes<space_dim, Functions::degree> {
 public:
@@ -52,8 +53,8 @@ protected:
 };
 
 /// Bilinear or trilinear functions, or products of quadratic B-splines. They sum to one and reproduce linear fields of
-/// the node positions; on a side of the grid only the functions of the nodes on that side differ from zero, so that what
-/// a support fixes there is fixed exactly. A space as described in spaces.hpp.
+/// the node positions; on a side of the grid only the functions of the nodes on that side differ from zero, so that
+/// what a support fixes there is fixed exactly. A space as described in spaces.hpp.
 template <int space_dim, class Functions>
 class ProductSpace : public SquareCells<space_dim, Functions> {
 public:
