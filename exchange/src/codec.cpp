@@ -22,7 +22,7 @@ document::Entry type_entry(std::string type) {
   return entry("type", text_value(std::move(type)));
 }
 
-std::string with_unit(std::string text, const std::string& unit) {
+std::string with_unit(std::string text, std::string_view unit) {
   return unit.empty() ? text : fmt::format("{} [{}]", text, unit);
 }
 
@@ -49,7 +49,7 @@ void RealCodec::read(const Given& given, double& member, Reading& reading) const
   if (std::isfinite(number) && info_.range.contains(number)) {
     member = number;
   } else {
-    reading.complain_value(given, allowed(), info_.hint);
+    reading.complain_value(given, allowed(), std::string(info_.hint));
   }
 }
 
@@ -77,7 +77,7 @@ void IntegerCodec::read(const Given& given, int& member, Reading& reading) const
   if (fits && info_.range.contains(static_cast<double>(*integer))) {
     member = static_cast<int>(*integer);
   } else {
-    reading.complain_value(given, allowed(), info_.hint);
+    reading.complain_value(given, allowed(), std::string(info_.hint));
   }
 }
 
@@ -123,7 +123,7 @@ void TextCodec::read(const Given& given, std::string& member, Reading& reading) 
   if (text == nullptr) {
     reading.complain_type(given, allowed());
   } else if (text->empty() && info_.required) {
-    reading.complain_value(given, allowed(), info_.hint);
+    reading.complain_value(given, allowed(), std::string(info_.hint));
   } else {
     member = *text;
   }

@@ -47,7 +47,7 @@ std::set<std::string> check_unknown(const Table& table, const Place& place, cons
 
 std::string left_out_text(const KeyFacts& key) {
   if (key.info.required) return "required";
-  if (!key.info.left_out.empty()) return key.info.left_out;
+  if (!key.info.left_out.empty()) return std::string(key.info.left_out);
   return key.default_value ? fmt::format("`{}`", document::to_inline_toml(*key.default_value)) : "";
 }
 
@@ -57,7 +57,8 @@ Table property_schema(const KeyFacts& key) {
   const std::string left_out = key.info.left_out.empty() ? "" : fmt::format(" Left out: {}.", key.info.left_out);
   const bool has_text = document::find(schema, "description") != nullptr;
   if (!has_text && !key.info.doc.empty())
-    schema.push_back(text_entry("description", key.info.doc + unit + (left_out.empty() ? "" : ".") + left_out));
+    schema.push_back(
+        text_entry("description", fmt::format("{}{}{}{}", key.info.doc, unit, left_out.empty() ? "" : ".", left_out)));
   if (key.default_value && key.info.left_out.empty()) schema.push_back({"default", {}, *key.default_value});
   return schema;
 }
@@ -94,7 +95,7 @@ Table schema_of_keys(const std::string& doc, const std::vector<KeyFacts>& keys) 
 TableDoc doc_of_keys(const std::string& header, const std::string& doc, const std::vector<KeyFacts>& keys) {
   TableDoc result{.header = header, .doc = doc, .rows = {}};
   for (const KeyFacts& key : keys)
-    if (!key.is_table) result.rows.push_back({key.name, key.allowed, left_out_text(key), key.info.doc});
+    if (!key.is_table) result.rows.push_back({key.name, key.allowed, left_out_text(key), std::string(key.info.doc)});
   return result;
 }
 

@@ -27,7 +27,7 @@ void add_strength_keys(KeyTable<Material>& keys) {
 }
 
 void add_cam_clay_keys(KeyTable<Material>& keys) {
-  const std::string needed = "required for cam-clay";
+  constexpr const char* needed = "required for cam-clay";
   keys.real("critical_state_slope", &Material::critical_state_slope,
             {.range = above(0), .left_out = needed, .doc = "M of the critical state q = M p"});
   keys.real("compression_index", &Material::compression_index,

@@ -42,15 +42,21 @@ struct Count {
   std::optional<std::size_t> most{};
 };
 
+/// A text that is known when the program is compiled, and lives as long as it runs.
+class Literal : public std::string_view {
+public:
+  consteval Literal(const char* text = "") : std::string_view(text) {}
+};
+
 /// What is known of a key besides its kind. Only `doc` is needed.
 struct KeyInfo {
-  std::string unit{};
-  Range range{};          ///< of a number, or of the integers of a list
-  Count count{};          ///< of a list
-  bool required = false;  ///< a text that is required may not be empty either
-  std::string left_out{}; ///< what a key that is left out means, where the member's default does not say it
-  std::string hint{};     ///< the remedy for a value out of range
-  std::string doc{};
+  Literal unit{};
+  Range range{};         ///< of a number, or of the integers of a list
+  Count count{};         ///< of a list
+  bool required = false; ///< a text that is required may not be empty either
+  Literal left_out{};    ///< what a key that is left out means, where the member's default does not say it
+  Literal hint{};        ///< the remedy for a value out of range
+  Literal doc{};
 };
 
 /// The documentation of a table of keys: what a reader of docs/formats.md sees.
@@ -88,7 +94,7 @@ public:
 /// A finite number; an integer is accepted.
 class RealCodec : public Codec<double> {
 public:
-  explicit RealCodec(KeyInfo info) : info_(std::move(info)) {}
+  explicit RealCodec(const KeyInfo& info) : info_(info) {}
   void read(const Given& given, double& member, Reading& reading) const override;
   [[nodiscard]] std::optional<document::Value> write(const double& member) const override;
   [[nodiscard]] document::Table schema() const override;
@@ -100,7 +106,7 @@ private:
 
 class IntegerCodec : public Codec<int> {
 public:
-  explicit IntegerCodec(KeyInfo info) : info_(std::move(info)) {}
+  explicit IntegerCodec(const KeyInfo& info) : info_(info) {}
   void read(const Given& given, int& member, Reading& reading) const override;
   [[nodiscard]] std::optional<document::Value> write(const int& member) const override;
   [[nodiscard]] document::Table schema() const override;
@@ -121,7 +127,7 @@ public:
 /// Any text; not an empty one where it is required.
 class TextCodec : public Codec<std::string> {
 public:
-  explicit TextCodec(KeyInfo info) : info_(std::move(info)) {}
+  explicit TextCodec(const KeyInfo& info) : info_(info) {}
   void read(const Given& given, std::string& member, Reading& reading) const override;
   [[nodiscard]] std::optional<document::Value> write(const std::string& member) const override;
   [[nodiscard]] document::Table schema() const override;
@@ -134,7 +140,7 @@ private:
 /// A word that stands for no number ("equilibrium"), or a number.
 class RealOrWordCodec : public Codec<std::optional<double>> {
 public:
-  RealOrWordCodec(std::string word, KeyInfo info) : word_(std::move(word)), real_(std::move(info)) {}
+  RealOrWordCodec(std::string word, const KeyInfo& info) : word_(std::move(word)), real_(info) {}
   void read(const Given& given, std::optional<double>& member, Reading& reading) const override;
   [[nodiscard]] std::optional<document::Value> write(const std::optional<double>& member) const override;
   [[nodiscard]] document::Table schema() const override;

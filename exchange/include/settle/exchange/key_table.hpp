@@ -67,84 +67,87 @@ public:
   /// `doc`: what the table as a whole is, one sentence.
   explicit KeyTable(std::string doc) : doc_(std::move(doc)) {}
 
-  void real(std::string name, double T::*member, KeyInfo info) {
-    add(std::move(name), member, std::make_unique<RealCodec>(info), info);
+  void real(std::string_view name, double T::*member, const KeyInfo& info) {
+    add(name, member, std::make_unique<RealCodec>(info), info);
   }
-  void real(std::string name, std::optional<double> T::*member, KeyInfo info) {
-    add(std::move(name), member, optional<double>(std::make_unique<RealCodec>(info)), info);
+  void real(std::string_view name, std::optional<double> T::*member, const KeyInfo& info) {
+    add(name, member, optional<double>(std::make_unique<RealCodec>(info)), info);
   }
   /// A number, or a word for none; the word is also the default.
-  void real_or_word(std::string name, std::optional<double> T::*member, std::string word, KeyInfo info) {
-    add(std::move(name), member, std::make_unique<RealOrWordCodec>(std::move(word), info), info);
+  void real_or_word(std::string_view name, std::optional<double> T::*member, std::string word, const KeyInfo& info) {
+    add(name, member, std::make_unique<RealOrWordCodec>(std::move(word), info), info);
   }
-  void integer(std::string name, int T::*member, KeyInfo info) {
-    add(std::move(name), member, std::make_unique<IntegerCodec>(info), info);
+  void integer(std::string_view name, int T::*member, const KeyInfo& info) {
+    add(name, member, std::make_unique<IntegerCodec>(info), info);
   }
-  void integer(std::string name, std::optional<int> T::*member, KeyInfo info) {
-    add(std::move(name), member, optional<int>(std::make_unique<IntegerCodec>(info)), info);
+  void integer(std::string_view name, std::optional<int> T::*member, const KeyInfo& info) {
+    add(name, member, optional<int>(std::make_unique<IntegerCodec>(info)), info);
   }
-  void boolean(std::string name, bool T::*member, KeyInfo info) {
-    add(std::move(name), member, std::make_unique<BooleanCodec>(), info);
+  void boolean(std::string_view name, bool T::*member, const KeyInfo& info) {
+    add(name, member, std::make_unique<BooleanCodec>(), info);
   }
-  void text(std::string name, std::string T::*member, KeyInfo info) {
-    add(std::move(name), member, std::make_unique<TextCodec>(info), info);
+  void text(std::string_view name, std::string T::*member, const KeyInfo& info) {
+    add(name, member, std::make_unique<TextCodec>(info), info);
   }
   /// One of the names of EnumNames<Enum>.
   template <class Enum>
-  void choice(std::string name, Enum T::*member, KeyInfo info) {
-    add(std::move(name), member, std::make_unique<ChoiceCodec<Enum>>(), info);
+  void choice(std::string_view name, Enum T::*member, const KeyInfo& info) {
+    add(name, member, std::make_unique<ChoiceCodec<Enum>>(), info);
   }
   /// The same where the key may be absent.
   template <class Enum>
-  void choice(std::string name, std::optional<Enum> T::*member, KeyInfo info) {
-    add(std::move(name), member, optional<Enum>(std::make_unique<ChoiceCodec<Enum>>()), info);
+  void choice(std::string_view name, std::optional<Enum> T::*member, const KeyInfo& info) {
+    add(name, member, optional<Enum>(std::make_unique<ChoiceCodec<Enum>>()), info);
   }
   /// The same where `unwritable` is what leaving the key out means, and no word for it may be written.
   template <class Enum>
-  void choice_or_left_out(std::string name, Enum T::*member, Enum unwritable, KeyInfo info) {
-    add(std::move(name), member, std::make_unique<ChoiceCodec<Enum>>(unwritable), info);
+  void choice_or_left_out(std::string_view name, Enum T::*member, Enum unwritable, const KeyInfo& info) {
+    add(name, member, std::make_unique<ChoiceCodec<Enum>>(unwritable), info);
   }
   /// A list of texts, none of them empty.
-  void texts(std::string name, std::vector<std::string> T::*member, KeyInfo info) {
+  void texts(std::string_view name, std::vector<std::string> T::*member, const KeyInfo& info) {
     auto item = std::make_unique<TextCodec>(KeyInfo{.required = true});
-    add(std::move(name), member, std::make_unique<ListCodec<std::string>>(std::move(item), info.count), info);
+    add(name, member, std::make_unique<ListCodec<std::string>>(std::move(item), info.count), info);
   }
   /// A list of integers, each within the range.
-  void integers(std::string name, std::vector<int> T::*member, KeyInfo info) {
+  void integers(std::string_view name, std::vector<int> T::*member, const KeyInfo& info) {
     auto item = std::make_unique<IntegerCodec>(info);
-    add(std::move(name), member, std::make_unique<ListCodec<int>>(std::move(item), info.count), info);
+    add(name, member, std::make_unique<ListCodec<int>>(std::move(item), info.count), info);
   }
   /// A list of numbers, each within the range.
-  void reals(std::string name, std::vector<double> T::*member, KeyInfo info) {
+  void reals(std::string_view name, std::vector<double> T::*member, const KeyInfo& info) {
     auto item = std::make_unique<RealCodec>(info);
-    add(std::move(name), member, std::make_unique<ListCodec<double>>(std::move(item), info.count), info);
+    add(name, member, std::make_unique<ListCodec<double>>(std::move(item), info.count), info);
   }
   /// A list of lists of numbers, each of `inner` numbers.
-  void real_lists(std::string name, std::vector<std::vector<double>> T::*member, KeyInfo info, Count inner) {
+  void real_lists(std::string_view name, std::vector<std::vector<double>> T::*member, const KeyInfo& info,
+                  Count inner) {
     using Inner = ListCodec<double>;
     auto item = std::make_unique<Inner>(std::make_unique<RealCodec>(info), inner);
-    add(std::move(name), member, std::make_unique<ListCodec<std::vector<double>>>(std::move(item), info.count), info);
+    add(name, member, std::make_unique<ListCodec<std::vector<double>>>(std::move(item), info.count), info);
   }
   /// A table of free keys, each with any TOML value, kept as TOML text.
-  void toml_values(std::string name, std::map<std::string, std::string> T::*member, KeyInfo info) {
-    add(std::move(name), member, std::make_unique<TomlValuesCodec>(), info);
+  void toml_values(std::string_view name, std::map<std::string, std::string> T::*member, const KeyInfo& info) {
+    add(name, member, std::make_unique<TomlValuesCodec>(), info);
   }
   /// A table of free keys, each with a list of TOML values.
-  void toml_lists(std::string name, std::map<std::string, std::vector<std::string>> T::*member, KeyInfo info) {
-    add(std::move(name), member, std::make_unique<TomlListsCodec>(), info);
+  void toml_lists(std::string_view name, std::map<std::string, std::vector<std::string>> T::*member,
+                  const KeyInfo& info) {
+    add(name, member, std::make_unique<TomlListsCodec>(), info);
   }
   /// `[name]`
   template <class U>
-  void table(std::string name, U T::*member, KeyTable<U> keys, KeyInfo info = {});
+  void table(std::string_view name, U T::*member, KeyTable<U> keys, const KeyInfo& info = {});
   /// `[name]`, which may be absent
   template <class U>
-  void table(std::string name, std::optional<U> T::*member, KeyTable<U> keys, KeyInfo info = {});
+  void table(std::string_view name, std::optional<U> T::*member, KeyTable<U> keys, const KeyInfo& info = {});
   /// `[name.NAME]`, any number of them
   template <class U>
-  void named_tables(std::string name, std::map<std::string, U> T::*member, KeyTable<U> keys, KeyInfo info = {});
+  void named_tables(std::string_view name, std::map<std::string, U> T::*member, KeyTable<U> keys,
+                    const KeyInfo& info = {});
   /// `[[name]]`, any number of them
   template <class U>
-  void table_array(std::string name, std::vector<U> T::*member, KeyTable<U> keys, KeyInfo info = {});
+  void table_array(std::string_view name, std::vector<U> T::*member, KeyTable<U> keys, const KeyInfo& info = {});
 
   /// Sets the members whose keys are given; complains about everything that does not fit.
   void read(const document::Table& given, const Place& place, T& into, Reading& reading) const;
@@ -156,7 +159,7 @@ public:
 
 private:
   struct Key {
-    Key(std::string key, KeyInfo key_info) : name(std::move(key)), info(std::move(key_info)) {}
+    Key(std::string_view key, const KeyInfo& key_info) : name(key), info(key_info) {}
     Key(const Key&) = delete;
     Key& operator=(const Key&) = delete;
     virtual ~Key() = default;
@@ -175,12 +178,12 @@ private:
     return std::make_unique<OptionalCodec<M>>(std::move(value));
   }
   template <class M>
-  void add(std::string name, M T::*member, std::unique_ptr<Codec<M>> codec, KeyInfo info) {
-    keys_.push_back(std::make_unique<MemberKey<M>>(std::move(name), std::move(info), member, std::move(codec)));
+  void add(std::string_view name, M T::*member, std::unique_ptr<Codec<M>> codec, const KeyInfo& info) {
+    keys_.push_back(std::make_unique<MemberKey<M>>(name, info, member, std::move(codec)));
   }
   template <class M, class C>
-  void add(std::string name, M T::*member, std::unique_ptr<C> codec, KeyInfo info) {
-    add<M>(std::move(name), member, std::unique_ptr<Codec<M>>(std::move(codec)), std::move(info));
+  void add(std::string_view name, M T::*member, std::unique_ptr<C> codec, const KeyInfo& info) {
+    add<M>(name, member, std::unique_ptr<Codec<M>>(std::move(codec)), info);
   }
   [[nodiscard]] std::vector<KeyFacts> facts() const {
     std::vector<KeyFacts> all;

@@ -9,8 +9,8 @@ namespace settle::exchange {
 template <class T>
 template <class M>
 struct KeyTable<T>::MemberKey : Key {
-  MemberKey(std::string key, KeyInfo key_info, M T::*pointer, std::unique_ptr<Codec<M>> coder)
-      : Key(std::move(key), std::move(key_info)), member(pointer), codec(std::move(coder)) {}
+  MemberKey(std::string_view key, const KeyInfo& key_info, M T::*pointer, std::unique_ptr<Codec<M>> coder)
+      : Key(key, key_info), member(pointer), codec(std::move(coder)) {}
 
   void read(const Given& given, T& into, Reading& reading) const override { codec->read(given, into.*member, reading); }
   [[nodiscard]] std::optional<document::Value> write(const T& from) const override {
@@ -152,27 +152,28 @@ private:
 
 template <class T>
 template <class U>
-void KeyTable<T>::table(std::string name, U T::*member, KeyTable<U> keys, KeyInfo info) {
-  add(std::move(name), member, std::make_unique<TableCodec<U>>(std::move(keys)), std::move(info));
+void KeyTable<T>::table(std::string_view name, U T::*member, KeyTable<U> keys, const KeyInfo& info) {
+  add(name, member, std::make_unique<TableCodec<U>>(std::move(keys)), info);
 }
 
 template <class T>
 template <class U>
-void KeyTable<T>::table(std::string name, std::optional<U> T::*member, KeyTable<U> keys, KeyInfo info) {
+void KeyTable<T>::table(std::string_view name, std::optional<U> T::*member, KeyTable<U> keys, const KeyInfo& info) {
   std::unique_ptr<Codec<U>> codec = std::make_unique<TableCodec<U>>(std::move(keys));
-  add(std::move(name), member, optional<U>(std::move(codec)), std::move(info));
+  add(name, member, optional<U>(std::move(codec)), info);
 }
 
 template <class T>
 template <class U>
-void KeyTable<T>::named_tables(std::string name, std::map<std::string, U> T::*member, KeyTable<U> keys, KeyInfo info) {
-  add(std::move(name), member, std::make_unique<NamedTablesCodec<U>>(std::move(keys)), std::move(info));
+void KeyTable<T>::named_tables(std::string_view name, std::map<std::string, U> T::*member, KeyTable<U> keys,
+                               const KeyInfo& info) {
+  add(name, member, std::make_unique<NamedTablesCodec<U>>(std::move(keys)), info);
 }
 
 template <class T>
 template <class U>
-void KeyTable<T>::table_array(std::string name, std::vector<U> T::*member, KeyTable<U> keys, KeyInfo info) {
-  add(std::move(name), member, std::make_unique<TableArrayCodec<U>>(std::move(keys)), std::move(info));
+void KeyTable<T>::table_array(std::string_view name, std::vector<U> T::*member, KeyTable<U> keys, const KeyInfo& info) {
+  add(name, member, std::make_unique<TableArrayCodec<U>>(std::move(keys)), info);
 }
 
 } // namespace settle::exchange
