@@ -91,7 +91,8 @@ public:
       bins_.emplace(layer, of_layer);
   }
 
-  [[nodiscard]] std::optional<std::vector<double>> at(int layer, const PlanePoint& point) const override {
+  [[nodiscard]] std::optional<std::vector<double>> at(int layer, const FieldPlace& place) const override {
+    const PlanePoint point{place[0], place[1]};
     const auto bins = bins_.find(layer);
     if (bins == bins_.end() || !std::isfinite(point[0]) || !std::isfinite(point[1])) return {};
     const Element* nearest = nullptr;

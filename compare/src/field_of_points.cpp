@@ -3,6 +3,8 @@
 #include <map>
 #include <tuple>
 
+#include <Eigen/Eigenvalues>
+
 #include "field_interpolation.hpp"
 #include "plane_bins.hpp"
 
@@ -13,59 +15,52 @@ using exchange::PlanePoint;
 
 namespace {
 
-constexpr std::size_t neighbours = 12; // about two rings of a lattice: a plane, and something to smooth it
-constexpr double farthest = 1.5;       // edges of the square that the nearest point stands for
-
-/// A symmetric matrix of two rows: the spread of points around their mean [m2].
-struct Spread {
-  double xx = 0, xy = 0, yy = 0;
-};
-
-/// The spread's inverse; of points on a line the inverse along it, of points at one place none: fields are taken as
-/// constant in directions in which nothing is known of them.
-Spread pseudo_inverse(const Spread& spread) {
-  constexpr double thin = 1e-8; // of the larger eigenvalue: a ten thousandth in length
-  const double mean = 0.5 * (spread.xx + spread.yy), half = 0.5 * (spread.xx - spread.yy);
-  const double radius = std::hypot(half, spread.xy);
-  const double larger = mean + radius, smaller = mean - radius;
-  if (!(larger > 0.0)) return {};
-  const double angle = 0.5 * std::atan2(spread.xy, half), c = std::cos(angle), s = std::sin(angle);
-  const double along = 1.0 / larger, across = smaller > thin * larger ? 1.0 / smaller : 0.0;
-  return {.xx = along * c * c + across * s * s, .xy = (along - across) * c * s, .yy = along * s * s + across * c * c};
+/// About two rings of a lattice, in the plane and in space: a linear function, and something to smooth it.
+std::size_t neighbours_in(int dimension) {
+  return dimension == 3 ? 32 : 12;
 }
 
-/// What each of some points has to do with the value at the origin of the plane that is fitted to them, weighted.
-std::vector<double> shares_at_origin(const std::vector<PlanePoint>& points, const std::vector<double>& weights) {
+constexpr double farthest = 1.5; // edges of the square or cube that the nearest point stands for
+
+/// The spread of points around their mean [m2], inverted; zero in directions in which all points lie at one place:
+/// fields are taken as constant where nothing is known of them.
+Eigen::Matrix3d pseudo_inverse(const Eigen::Matrix3d& spread) {
+  constexpr double thin = 1e-8; // of the largest eigenvalue: a ten thousandth in length
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(spread);
+  const Eigen::Vector3d& values = solver.eigenvalues();
+  Eigen::Vector3d inverse = Eigen::Vector3d::Zero();
+  for (int d = 0; d < 3; ++d)
+    if (values[d] > thin * values[2]) inverse[d] = 1.0 / values[d];
+  return solver.eigenvectors() * inverse.asDiagonal() * solver.eigenvectors().transpose();
+}
+
+/// What each of some points has to do with the value at the origin of the linear function fitted to them, weighted.
+std::vector<double> shares_at_origin(const std::vector<Eigen::Vector3d>& points, const std::vector<double>& weights) {
   double sum = 0.0;
-  PlanePoint mean{};
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
   for (std::size_t k = 0; k < points.size(); ++k) {
     sum += weights[k];
-    mean = {mean[0] + weights[k] * points[k][0], mean[1] + weights[k] * points[k][1]};
+    mean += weights[k] * points[k];
   }
-  mean = {mean[0] / sum, mean[1] / sum};
-  Spread spread;
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    const double x = points[k][0] - mean[0], y = points[k][1] - mean[1];
-    spread.xx += weights[k] * x * x;
-    spread.xy += weights[k] * x * y;
-    spread.yy += weights[k] * y * y;
-  }
-  const Spread inverse = pseudo_inverse(spread);
-  const PlanePoint slope{-inverse.xx * mean[0] - inverse.xy * mean[1], -inverse.xy * mean[0] - inverse.yy * mean[1]};
+  mean /= sum;
+  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+  for (std::size_t k = 0; k < points.size(); ++k)
+    spread += weights[k] * (points[k] - mean) * (points[k] - mean).transpose();
+  const Eigen::Vector3d slope = -pseudo_inverse(spread) * mean;
   std::vector<double> shares;
   for (std::size_t k = 0; k < points.size(); ++k)
-    shares.push_back(weights[k] *
-                     (1.0 / sum + slope[0] * (points[k][0] - mean[0]) + slope[1] * (points[k][1] - mean[1])));
+    shares.push_back(weights[k] * (1.0 / sum + slope.dot(points[k] - mean)));
   return shares;
 }
 
 class FieldOfPoints : public InterpolatedField {
 public:
-  explicit FieldOfPoints(const FieldSamples& samples) : samples_(samples) {
+  FieldOfPoints(const FieldSamples& samples, int dimension)
+      : samples_(samples), dimension_(dimension), neighbours_(neighbours_in(dimension)) {
     std::map<int, std::vector<PlaneBox>> boxes;
     for (std::size_t i = 0; i < samples.size(); ++i) {
       const PlanePoint at{samples.x[i], samples.height[i]};
-      if (!std::isfinite(at[0]) || !std::isfinite(at[1])) continue;
+      if (!std::isfinite(at[0] + at[1] + samples.y[i])) continue;
       index_[samples.layer[i]].push_back(i);
       boxes[samples.layer[i]].push_back({.lowest = at, .highest = at});
     }
@@ -73,11 +68,11 @@ public:
       bins_.emplace(layer, of_layer);
   }
 
-  [[nodiscard]] std::optional<std::vector<double>> at(int layer, const PlanePoint& point) const override {
-    if (!bins_.contains(layer) || !std::isfinite(point[0]) || !std::isfinite(point[1])) return {};
+  [[nodiscard]] std::optional<std::vector<double>> at(int layer, const FieldPlace& point) const override {
+    if (!bins_.contains(layer) || !std::isfinite(point[0] + point[1] + point[2])) return {};
     const std::vector<Near> nearest = nearest_to(layer, point);
-    if (!(nearest.front().distance <= farthest * std::sqrt(samples_.weight[nearest.front().index]))) return {};
-    return plane_through(nearest, point);
+    if (!(nearest.front().distance <= farthest * edge_of(nearest.front().index))) return {};
+    return fit_through(nearest, point);
   }
 
 private:
@@ -86,18 +81,27 @@ private:
     std::size_t index;
   };
 
+  /// Of the square or cube that a sample stands for [m].
+  [[nodiscard]] double edge_of(std::size_t i) const {
+    return dimension_ == 3 ? std::cbrt(samples_.weight[i]) : std::sqrt(samples_.weight[i]);
+  }
+
+  [[nodiscard]] Eigen::Vector3d offset(std::size_t i, const FieldPlace& point) const {
+    return {samples_.x[i] - point[0], samples_.height[i] - point[1], samples_.y[i] - point[2]};
+  }
+
   /// Ordered by distance; of as many as there are.
-  [[nodiscard]] std::vector<Near> nearest_to(int layer, const PlanePoint& point) const {
+  [[nodiscard]] std::vector<Near> nearest_to(int layer, const FieldPlace& point) const {
     const PlaneBins& bins = bins_.at(layer);
     const std::vector<std::size_t>& index = index_.at(layer);
-    const std::size_t wanted = std::min(neighbours, index.size());
+    const std::size_t wanted = std::min(neighbours_, index.size());
     std::vector<Near> found;
     for (double around = std::max(2.0 * bins.edge(), 1e-300);; around *= 2.0) {
       found.clear();
       const PlaneBox box{.lowest = {point[0] - around, point[1] - around},
                          .highest = {point[0] + around, point[1] + around}};
       for (const std::size_t k : bins.near(box))
-        found.push_back({distance(index[k], point), index[k]});
+        found.push_back({offset(index[k], point).norm(), index[k]});
       std::sort(found.begin(), found.end(), [](const Near& a, const Near& b) {
         return std::tie(a.distance, a.index) < std::tie(b.distance, b.index);
       });
@@ -108,16 +112,12 @@ private:
     return found;
   }
 
-  [[nodiscard]] double distance(std::size_t i, const PlanePoint& point) const {
-    return std::hypot(samples_.x[i] - point[0], samples_.height[i] - point[1]);
-  }
-
-  [[nodiscard]] std::vector<double> plane_through(const std::vector<Near>& points, const PlanePoint& point) const {
+  [[nodiscard]] std::vector<double> fit_through(const std::vector<Near>& points, const FieldPlace& point) const {
     const double furthest = 1.05 * points.back().distance; // whose weight is next to nothing
-    std::vector<PlanePoint> places;
+    std::vector<Eigen::Vector3d> places;
     std::vector<double> weights;
     for (const Near& near : points) {
-      places.push_back({samples_.x[near.index] - point[0], samples_.height[near.index] - point[1]});
+      places.push_back(offset(near.index, point));
       const double share = furthest > 0.0 ? 1.0 - near.distance / furthest : 1.0;
       weights.push_back(share * share);
     }
@@ -131,14 +131,16 @@ private:
   }
 
   FieldSamples samples_;
+  int dimension_;
+  std::size_t neighbours_;                        ///< to which a function is fitted
   std::map<int, std::vector<std::size_t>> index_; ///< of the points of each layer
   std::map<int, PlaneBins> bins_;                 ///< of the same
 };
 
 } // namespace
 
-std::unique_ptr<InterpolatedField> field_of_points(const FieldSamples& samples) {
-  return std::make_unique<FieldOfPoints>(samples);
+std::unique_ptr<InterpolatedField> field_of_points(const FieldSamples& samples, int dimension) {
+  return std::make_unique<FieldOfPoints>(samples, dimension);
 }
 
 } // namespace settle::compare

@@ -49,6 +49,7 @@ void FieldSamples::add(const FieldSamples& other, std::size_t i) {
   const std::size_t count = other.components();
   layer.push_back(other.layer[i]);
   x.push_back(other.x[i]);
+  y.push_back(other.y[i]);
   height.push_back(other.height[i]);
   for (std::size_t c = 0; c < count; ++c)
     value.push_back(other.value[i * count + c]);
@@ -74,7 +75,7 @@ void append_field(const MaterialState& state, int dimension, Quantity quantity, 
   case Quantity::lateral_stress:
     return values.push_back(state.stress[0]);
   case Quantity::shear_stress:
-    return values.push_back(state.stress[3]);
+    return values.push_back(state.stress[dimension == 3 ? 5 : 3]);
   case Quantity::stress:
     return append_tensor(state.stress, dimension, values);
   case Quantity::plastic_strain:
@@ -121,6 +122,7 @@ FieldSamples point_samples(const exchange::Stage& stage, int dimension, Quantity
     if (!points.plastic_strain.empty()) state.plastic_strain = points.plastic_strain[i];
     samples.layer.push_back(points.layer[i]);
     samples.x.push_back(points.placed_position[i * dim]);
+    samples.y.push_back(dimension == 3 ? points.placed_position[i * dim + 1] : 0.0);
     samples.height.push_back(points.placed_position[i * dim + dim - 1]);
     append_field(state, dimension, quantity, samples.value);
     samples.weight.push_back(points.volume[i]);
@@ -135,6 +137,7 @@ FieldSamples line_samples(const exchange::ProbeSamples& line, int dimension, Qua
   for (std::size_t i = 0; i < line.size(); ++i) {
     samples.layer.push_back(line.layer[i]);
     samples.x.push_back(line.design_position[i * dim]);
+    samples.y.push_back(dimension == 3 ? line.design_position[i * dim + 1] : 0.0);
     samples.height.push_back(line.design_position[i * dim + dim - 1]);
     append_field(state_of(arrays, i), dimension, quantity, samples.value);
     samples.weight.push_back(1.0);
@@ -177,6 +180,7 @@ FieldSamples table_samples(const ReferenceTable& table, int stage, Quantity quan
     if (table.stage[i] != stage) continue;
     samples.layer.push_back(table.layer[i]);
     samples.x.push_back(0.0);
+    samples.y.push_back(0.0);
     samples.height.push_back(table.placed_height[i]);
     samples.value.push_back(column(i));
     samples.weight.push_back(table.volume[i]);

@@ -19,6 +19,7 @@ struct FieldSide {
   std::string name;
   FieldSamples samples;
   bool comes_in_elements;
+  int dimension;
 };
 
 FieldSide field_side(const RunOutcome& run, const std::string& name, const LegRequest& request) {
@@ -27,7 +28,8 @@ FieldSide field_side(const RunOutcome& run, const std::string& name, const LegRe
   return {.name = name,
           .samples = point_samples(stage, result.used.dimension, request.quantity),
           .comes_in_elements =
-              result.provenance.solver == "settle-fem" && come_in_elements(stage.points, points_along_edge(run.study))};
+              result.provenance.solver == "settle-fem" && come_in_elements(stage.points, points_along_edge(run.study)),
+          .dimension = result.used.dimension};
 }
 
 /// Is the second rather interpolated than the first?
@@ -46,9 +48,8 @@ LegSamples sampled(const FieldSamples& samples, const InterpolatedField& field, 
                    std::vector<double> LegSamples::*own, std::vector<double> LegSamples::*other) {
   LegSamples leg;
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    const exchange::PlanePoint point{samples.x[i], samples.height[i]};
-    if (!region.holds(samples.layer[i], point)) continue;
-    const auto partner = field.at(samples.layer[i], point);
+    if (!region.holds(samples.layer[i], {samples.x[i], samples.height[i]})) continue;
+    const auto partner = field.at(samples.layer[i], {samples.x[i], samples.height[i], samples.y[i]});
     if (!partner) {
       ++leg.without_partner;
       continue;
@@ -62,7 +63,7 @@ LegSamples sampled(const FieldSamples& samples, const InterpolatedField& field, 
 
 std::unique_ptr<InterpolatedField> field_of(const RunOutcome& run, const FieldSide& side) {
   return side.comes_in_elements ? field_of_elements(side.samples, points_along_edge(run.study))
-                                : field_of_points(side.samples);
+                                : field_of_points(side.samples, side.dimension);
 }
 
 } // namespace

@@ -90,9 +90,17 @@ std::string kind_name() {
   return std::is_floating_point_v<T> ? "numbers" : "integers";
 }
 
+/// A file is written under another name and renamed when it is whole, so that no reader meets its writer. Locks would
+/// only stay: the daemon that MPI starts for a single process inherits the writer's, and outlives it for a moment.
+Handle unlocked_access() {
+  Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+  H5Pset_file_locking(access.id(), false, true);
+  return access;
+}
+
 /// From the file layout of HDF5 1.8 on, the library checks its own bookkeeping: damage there is found, not followed.
 Handle checksummed_access() {
-  Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+  Handle access = unlocked_access();
   H5Pset_libver_bounds(access.id(), H5F_LIBVER_V18, H5F_LIBVER_LATEST);
   return access;
 }
@@ -355,7 +363,8 @@ File File::open(const std::filesystem::path& path) {
                      .given = {},
                      .allowed = "a result file",
                      .remedy = "check the path; if it was a result, it is damaged: run the solver again"});
-  Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
+  const Handle access = unlocked_access();
+  Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.id()), H5Fclose);
   Handle root(file.valid() ? H5Gopen2(file.id(), "/", H5P_DEFAULT) : H5I_INVALID_HID, H5Gclose);
   if (!root.valid()) fail_damaged(name, "the file cannot be read");
   return {std::move(file), Group(std::move(root), name, "/")};

@@ -209,6 +209,19 @@ void require_extrusion_that_fits(const exchange::Case& study) {
                                   .remedy = "set geometry.dimension = 2: the section is the same"});
 }
 
+/// Along the extrusion full cells distribute their force by other shares than points feel it.
+void require_splines_that_rest(const exchange::Case& study) {
+  const auto& mpm = study.mpm;
+  if (study.geometry.dimension == 2 || mpm.basis != exchange::Basis::b_spline ||
+      mpm.scheme != exchange::Scheme::explicit_dynamic || mpm.integration != exchange::Integration::mixed)
+    return;
+  throw exchange::InputError({.where = study.where("mpm.integration"),
+                              .what = "explicit B-splines over full cells do not come to rest in an extruded section",
+                              .given = "mpm.integration = \"mixed\" with mpm.scheme = \"explicit\"",
+                              .allowed = "\"points\", or another basis or scheme",
+                              .remedy = "set mpm.integration = \"points\""});
+}
+
 /// What polygons and a motion ask for that is not there.
 void require_polygons_that_fit(const exchange::Case& study) {
   if (const auto box = kind_of(study.mpm.element).box)
@@ -219,6 +232,7 @@ void require_polygons_that_fit(const exchange::Case& study) {
          .allowed = quoted(*box),
          .remedy = fmt::format("set mpm.element = {}", quoted(*box))});
   if (study.geometry.dimension == 3) require_extrusion_that_fits(study);
+  require_splines_that_rest(study);
   require_stages_that_fit(study);
   if (study.mpm.scheme == exchange::Scheme::quasi_static) return;
   for (std::size_t number = 0; number < study.supports.size(); ++number) {

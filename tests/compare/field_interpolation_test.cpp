@@ -23,6 +23,7 @@ using exchange::PlanePoint;
 void add(FieldSamples& samples, double x, double y, double value, int layer = 1, double area = 0.25) {
   samples.layer.push_back(layer);
   samples.x.push_back(x);
+  samples.y.push_back(0.0);
   samples.height.push_back(y);
   samples.value.push_back(value);
   samples.weight.push_back(area);
@@ -40,7 +41,7 @@ FieldSamples element() {
 
 TEST(FieldOfElements, ReachesAQuarterOfAnElementBeyondItsEdge) {
   const auto field = field_of_elements(element(), 2);
-  for (const PlanePoint point : {PlanePoint{0.5, 0.5}, {1.0, 1.0}, {1.2, 0.3}, {-0.2, -0.2}}) {
+  for (const FieldPlace& point : {FieldPlace{0.5, 0.5}, {1.0, 1.0}, {1.2, 0.3}, {-0.2, -0.2}}) {
     const auto value = field->at(1, point);
     ASSERT_TRUE(value) << point[0] << ", " << point[1];
     EXPECT_NEAR(value->front(), point[0] + 2.0 * point[1], 1e-12);
@@ -55,8 +56,8 @@ TEST(FieldOfPoints, APlaneIsMetAndNothingIsSaidFarFromThePoints) {
   for (int i = 0; i < 5; ++i)
     for (int j = 0; j < 5; ++j)
       add(samples, 0.5 * i, 0.5 * j, 3.0 + i - 4.0 * j);
-  const auto field = field_of_points(samples);
-  for (const PlanePoint point : {PlanePoint{0.9, 1.1}, {1.0, 1.0}, {-0.3, 2.3}})
+  const auto field = field_of_points(samples, 2);
+  for (const FieldPlace& point : {FieldPlace{0.9, 1.1}, {1.0, 1.0}, {-0.3, 2.3}})
     EXPECT_NEAR(field->at(1, point)->front(), 3.0 + 2.0 * point[0] - 8.0 * point[1], 1e-12);
   EXPECT_TRUE(field->at(1, {2.7, 1.0})); // 0.7 m from the nearest, one and a half squares
   EXPECT_FALSE(field->at(1, {2.8, 1.0}));
@@ -67,12 +68,28 @@ TEST(FieldOfPoints, OfPointsOnALineOnlyTheWayAlongItIsKnown) {
   FieldSamples samples;
   for (int i = 0; i < 6; ++i)
     add(samples, 0.5 * i, 0.25 * i, static_cast<double>(i));
-  const auto field = field_of_points(samples);
+  const auto field = field_of_points(samples, 2);
   EXPECT_NEAR(field->at(1, {1.25, 0.625})->front(), 2.5, 1e-12);
   EXPECT_NEAR(field->at(1, {1.25 - 0.1, 0.625 + 0.2})->front(), 2.5, 1e-12); // across it
   FieldSamples one;
   add(one, 0.0, 0.0, 7.0);
-  EXPECT_NEAR(field_of_points(one)->at(1, {0.3, 0.1})->front(), 7.0, 1e-15);
+  EXPECT_NEAR(field_of_points(one, 2)->at(1, {0.3, 0.1})->front(), 7.0, 1e-15);
+}
+
+/// The cubes are of half a metre: what is near is one and a half of their edges away, not of the root of their volume.
+TEST(FieldOfPoints, InSpaceALinearFieldIsMetAndReachIsMeasuredInEdgesOfCubes) {
+  FieldSamples samples;
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < 5; ++j)
+      for (int k = 0; k < 5; ++k) {
+        add(samples, 0.5 * i, 0.5 * j, 3.0 + i - 4.0 * j + 2.0 * k, 1, 0.125);
+        samples.y.back() = 0.5 * k;
+      }
+  const auto field = field_of_points(samples, 3);
+  for (const FieldPlace& point : {FieldPlace{0.9, 1.1, 0.6}, {1.0, 1.0, 1.0}, {-0.3, 2.3, -0.2}})
+    EXPECT_NEAR(field->at(1, point)->front(), 3.0 + 2.0 * point[0] - 8.0 * point[1] + 4.0 * point[2], 1e-12);
+  EXPECT_TRUE(field->at(1, {1.0, 1.0, 2.7}));
+  EXPECT_FALSE(field->at(1, {1.0, 1.0, 2.8}));
 }
 
 TEST(PlaneBins, FindAllThatABoxTouches) {

@@ -151,14 +151,14 @@ TEST(Legs, OfAColumnCompareWholeVectorsAndTensors) {
   EXPECT_LT(change(Quantity::lateral_stress), 1e-7);
 }
 
-TEST(Legs, InSpaceTheVerticalIsTheThirdAxisAndTheTensorHasSixComponents) {
+TEST(Legs, InSpaceTheVerticalIsTheThirdAxisShearIsThatOfTheSectionAndTheTensorHasSixComponents) {
   std::vector<double> values;
   const MaterialState state{.displacement = {0.1, 0.2, -0.3}, .stress = {1, 2, 3, 4, 5, 6}};
   for (const Quantity quantity : {Quantity::settlement, Quantity::vertical_stress, Quantity::lateral_stress,
                                   Quantity::shear_stress, Quantity::displacement, Quantity::stress})
     append_field(state, 3, quantity, values);
   const double root = std::sqrt(2.0);
-  EXPECT_THAT(values, testing::Pointwise(testing::DoubleEq(), {0.3, 3.0, 1.0, 4.0, 0.1, 0.2, -0.3, 1.0, 2.0, 3.0,
+  EXPECT_THAT(values, testing::Pointwise(testing::DoubleEq(), {0.3, 3.0, 1.0, 6.0, 0.1, 0.2, -0.3, 1.0, 2.0, 3.0,
                                                                4 * root, 5 * root, 6 * root}));
 }
 
@@ -222,15 +222,20 @@ TEST(Legs, ATableOfWhichNothingMatchesIsAProblem) {
 }
 
 TEST(Legs, VectorsAtOneHeightAreAveragedByComponent) {
-  const FieldSamples rows = averaged_by_height(
-      {.layer = {1, 1}, .x = {0.0, 0.1}, .height = {0.5, 0.5}, .value = {1.0, 10.0, 5.0, 30.0}, .weight = {1.0, 3.0}},
-      1e-4);
+  const FieldSamples rows = averaged_by_height({.layer = {1, 1},
+                                                .x = {0.0, 0.1},
+                                                .y = {0, 0},
+                                                .height = {0.5, 0.5},
+                                                .value = {1.0, 10.0, 5.0, 30.0},
+                                                .weight = {1.0, 3.0}},
+                                               1e-4);
   EXPECT_EQ(rows.value, (std::vector<double>{4.0, 25.0}));
 }
 
 TEST(Legs, PointsAtOneHeightAreAveragedByVolume) {
   const FieldSamples rows = averaged_by_height({.layer = {1, 2, 1, 1},
                                                 .x = {0.0, 0.0, 0.0, 0.0},
+                                                .y = {0, 0, 0, 0},
                                                 .height = {0.5, 0.5, 0.1, 0.5},
                                                 .value = {1.0, 9.0, 7.0, 4.0},
                                                 .weight = {1.0, 1.0, 1.0, 3.0}},

@@ -43,6 +43,11 @@ PlanePoint in_skew(double x, double y) {
   return point;
 }
 
+FieldPlace place_in_skew(double x, double y) {
+  const PlanePoint point = in_skew(x, y);
+  return {point[0], point[1]};
+}
+
 /// (n, 2) positions of the quadrature points of the skew element.
 std::vector<double> skew_positions(int along_edge) {
   std::vector<double> positions;
@@ -81,6 +86,7 @@ TEST(ElementPoints, HoldAFieldOfTheirDegreeEverywhereInTheElementAndNotFarFromIt
         values.push_back(field(x, y));
     FieldSamples samples{.layer = std::vector<int>(values.size(), 4), .value = values};
     for (std::size_t i = 0; i < values.size(); ++i) {
+      samples.y.push_back(0.0);
       samples.x.push_back(skew_positions(along_edge)[2 * i]);
       samples.height.push_back(skew_positions(along_edge)[2 * i + 1]);
       samples.weight.push_back(1.0);
@@ -88,13 +94,13 @@ TEST(ElementPoints, HoldAFieldOfTheirDegreeEverywhereInTheElementAndNotFarFromIt
     const auto element = field_of_elements(samples, along_edge);
     for (const double x : {0.0, 0.3, 1.0})
       for (const double y : {0.0, 0.7, 1.0}) {
-        const auto found = element->at(4, in_skew(x, y));
+        const auto found = element->at(4, place_in_skew(x, y));
         ASSERT_TRUE(found.has_value()) << x << ", " << y;
         EXPECT_NEAR(found->front(), field(x, y), 1e-9);
       }
-    EXPECT_FALSE(element->at(4, in_skew(1.3, 0.5)).has_value());
+    EXPECT_FALSE(element->at(4, place_in_skew(1.3, 0.5)).has_value());
     EXPECT_FALSE(element->at(4, {9.0, 9.0}).has_value());
-    EXPECT_FALSE(element->at(3, in_skew(0.5, 0.5)).has_value());
+    EXPECT_FALSE(element->at(3, place_in_skew(0.5, 0.5)).has_value());
   }
 }
 

@@ -1,3 +1,7 @@
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
 #include <fstream>
 
 #include <gmock/gmock.h>
@@ -154,4 +158,13 @@ TEST(ResultWriter, SaysAtOnceThatItCannotWriteThere) {
   EXPECT_THAT(complaint_on_writing(file.parent_path()), HasSubstr("given:   a folder"));
   std::filesystem::create_directory(file.parent_path() / "r.h5.partial");
   EXPECT_THAT(complaint_on_writing(file.parent_path() / "r.h5"), HasSubstr("the file cannot be created"));
+}
+
+/// As the daemon of MPI does, which inherits the open file of settle-fem and outlives it for a moment.
+TEST(ResultReader, ReadsAFinishedFileThatAnotherProcessStillLocks) {
+  const auto file = write_sample("result.h5");
+  const int held = open(file.c_str(), O_RDONLY | O_CLOEXEC);
+  ASSERT_EQ(flock(held, LOCK_EX | LOCK_NB), 0);
+  EXPECT_EQ(read_result(file).stages.size(), 2U);
+  close(held);
 }

@@ -309,6 +309,35 @@ TEST_P(BothSchemes, AnExtrudedEmbankmentIsItsSection) {
     }
 }
 
+TEST(StagedBody, AnExtrudedEmbankmentIsItsSectionWithGimp) {
+  Overrides overrides{"construction.convention=level-up", "mpm.basis=gimp"};
+  const auto section = stages_of(embankment("", overrides));
+  overrides.insert(overrides.end(), {"geometry.dimension=3", "geometry.depth=0.5", "mpm.element=hexahedron"});
+  const auto body = stages_of(embankment("", overrides));
+  ASSERT_EQ(body.size(), section.size());
+  for (std::size_t i = 0; i < body.size(); ++i)
+    expect_section_of(body[i], section[i], 0.5, 1e-7);
+}
+
+/// Not to the balance of forces: two points an element do not integrate the splines along y exactly.
+TEST(StagedBody, AnExtrudedEmbankmentOfBSplinesIsNearItsSectionAndRests) {
+  Overrides overrides{"construction.convention=level-up", "mpm.basis=b-spline"};
+  const auto section = stages_of(embankment("", overrides));
+  overrides.insert(overrides.end(), {"geometry.dimension=3", "geometry.depth=0.5", "mpm.element=hexahedron"});
+  const auto body = stages_of(embankment("", overrides));
+  for (const std::size_t i : {0U, 1U}) {
+    EXPECT_NEAR(body[i].base_reaction, body[i].weight, 1e-7 * body[i].weight);
+    EXPECT_NEAR(body[i].mass, 0.5 * section[i].mass, 1e-5 * body[i].mass); // level-up fills a settlement of 1e-3
+    const auto &own = body[i].probes.at("axis").displacement, &reference = section[i].probes.at("axis").displacement;
+    std::vector<double> vertical, in_section;
+    for (std::size_t p = 0; 3 * p < own.size(); ++p) {
+      vertical.push_back(own[3 * p + 2]);
+      in_section.push_back(reference[2 * p + 1]);
+    }
+    EXPECT_LT(difference(vertical, in_section), 2e-3);
+  }
+}
+
 TEST(StagedBody, ExtrudedGroundStartsWithTheStressOfItsDepth) {
   const auto stages = stages_of(box(2, stage("ground", 1, "k0 = 0.7\n") + stage("ground", 2, "k0 = 0.4\n"),
                                     {"geometry.dimension=3", "geometry.depth=0.5", "mpm.element=hexahedron"}));
@@ -326,6 +355,9 @@ TEST(StagedBody, ExtrudedGroundStartsWithTheStressOfItsDepth) {
 TEST(StagedRequirements, AnExtrusionIsOfWholeHexahedraAndItsSurfaceIsNotLoaded) {
   const Overrides solid{"geometry.dimension=3", "mpm.element=hexahedron", "geometry.depth=0.5"};
   const auto with = [&](const std::string& other) { return Overrides{solid[0], solid[1], solid[2], other}; };
+  Overrides splines{solid};
+  splines.insert(splines.end(), {"mpm.basis=b-spline", "mpm.scheme=explicit"});
+  EXPECT_THAT(complaint_about(embankment("", splines)), HasSubstr("set mpm.integration = \"points\""));
   const std::string placed = stage("place", 1) + stage("place", 2);
   EXPECT_THAT(complaint_about(embankment(placed, with("geometry.depth=0.6"))), HasSubstr("set geometry.depth = 0.5"));
   EXPECT_THAT(complaint_about(embankment(placed, with("mpm.element=tetrahedron"))), HasSubstr("hexahedron"));

@@ -52,6 +52,7 @@ Profile exact_profile(const Case& study, const exchange::Probes& line, Quantity 
     if (point.layer > stage) continue;
     samples.layer.push_back(point.layer);
     samples.x.push_back(point.x);
+    samples.y.push_back(point.y);
     samples.height.push_back(point.design_height);
     samples.weight.push_back(1.0);
     append_field(

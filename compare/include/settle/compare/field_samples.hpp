@@ -24,6 +24,7 @@ struct MaterialState {
 struct FieldSamples {
   std::vector<int> layer{};     ///< (n)
   std::vector<double> x{};      ///< (n) [m]: as placed for points, in the design geometry for probes; 0 for tables
+  std::vector<double> y{};      ///< (n) [m]: likewise along y in 3-D; 0 in the plane and for tables
   std::vector<double> height{}; ///< (n) [m]: placed height for points and tables, design height for probes
   std::vector<double> value{};  ///< (n, c)
   std::vector<double> weight{}; ///< (n) current volume; 1 for probes
@@ -39,6 +40,7 @@ std::vector<exchange::Quantity> usual_fields(const exchange::Case& study);
 
 /// Appends the components of a field: one, `dimension` of a displacement, 4 (2-D: xx yy zz xy) or 6 of a stress. Its
 /// shear components are multiplied by sqrt(2), so that the Euclidean norm of the components is that of the tensor.
+/// Shear stress is that of the section: xy in the plane, xz in 3-D.
 void append_field(const MaterialState& state, int dimension, exchange::Quantity quantity, std::vector<double>& values);
 
 /// Does the quantity have a value at every point (displacement, stress), or for each stage (density, reactions, mass)?
