@@ -11,7 +11,7 @@ namespace {
 using exchange::RunOut;
 
 /// A figure of a run-out that should be zero.
-struct Audit {
+struct RunOutAudit {
   const char* what;
   double value = 0, limit = 0;
   const char* scale;
@@ -22,14 +22,14 @@ double lost(double before, double after) {
   return std::abs(after - before) / before;
 }
 
-Audit reaction_audit(const exchange::Case& study, const exchange::Failure& failure) {
+RunOutAudit reaction_at_rest(const exchange::Case& study, const exchange::Failure& failure) {
   const exchange::Stage& state = failure.run_out->state;
   const double carried = state.weight + surface_load(study, failure.stage);
   return {"base reaction = weight after the run-out", std::abs(state.base_reaction - carried) / std::abs(carried), 2e-3,
           "weight", "a damped explicit scheme stops at a force error of 1e-3, not at zero"};
 }
 
-std::vector<Audit> audits(const RunOut& run_out) {
+std::vector<RunOutAudit> audits_of(const RunOut& run_out) {
   constexpr double round_off = 1e-12;
   const auto points_before = static_cast<double>(run_out.points_before);
   const auto points = static_cast<double>(run_out.state.points.size());
@@ -50,9 +50,9 @@ std::vector<Verdict> judge_run_out(const RunOutcome& run) {
   for (const SolverRun& solver : run.solvers) {
     if (!solver.result || !solver.result->failure || !solver.result->failure->run_out) continue;
     const exchange::Failure& failure = *solver.result->failure;
-    std::vector<Audit> all = audits(*failure.run_out);
-    if (reaction_unaudited(run.study, solver.solver).empty()) all.push_back(reaction_audit(run.study, failure));
-    for (const Audit& audit : all) {
+    std::vector<RunOutAudit> all = audits_of(*failure.run_out);
+    if (reaction_unaudited(run.study, solver.solver).empty()) all.push_back(reaction_at_rest(run.study, failure));
+    for (const RunOutAudit& audit : all) {
       Verdict& verdict = verdicts.emplace_back(Verdict{.run = run.name,
                                                        .what = fmt::format("{}: {}", solver.solver, audit.what),
                                                        .kind = "audit",
