@@ -10,6 +10,7 @@
 #include "html_parts.hpp"
 #include "line_figure.hpp"
 #include "perfect_body.hpp"
+#include "perfect_result.hpp"
 #include "report_fixture.hpp"
 #include "settle/compare/judge.hpp"
 #include "settle/compare/report.hpp"
