@@ -10,7 +10,6 @@
 #include "html_parts.hpp"
 #include "line_figure.hpp"
 #include "perfect_body.hpp"
-#include "perfect_result.hpp"
 #include "report_fixture.hpp"
 #include "settle/compare/judge.hpp"
 #include "settle/compare/report.hpp"
@@ -79,6 +78,11 @@ TEST(BodyPage, ShowsWhereEachSolverFoundFailureAndWhatBecameOfTheBody) {
   CampaignOutcome outcome = campaign_of(body_case({"construction.may_fail=true"}));
   RunOutcome& run = outcome.runs.back();
   run.study.checks.push_back({.quantity = Quantity::failure_height, .between = {"fem", "exact"}, .exact = "1.6"});
+  const auto result_in = [](RunOutcome& of, const std::string& name) -> exchange::Result& {
+    for (SolverRun& solver : of.solvers)
+      if (solver.solver == name) return *solver.result;
+    throw std::out_of_range(name);
+  };
   for (const char* solver : {"mpm", "fem"})
     result_in(run, solver).failure = exchange::Failure{.stage = 2, .share = 0.5};
   EXPECT_THAT(html_report(outcome), Not(HasSubstr("Run-out: from there to rest")));
