@@ -97,8 +97,8 @@ TEST(BodyPage, ShowsWhereEachSolverFoundFailureAndWhatBecameOfTheBody) {
                                              .damping_loss = 400.0,
                                              .state = result.stages.back()};
   const std::string page = html_report(outcome);
-  for (const char* part : {"Failure: the fill that was in equilibrium last", "+9.38 %", "−6.25 %",
-                           "Run-out: from there to rest", "3.25", "0.375", "12.5", "96 %", "3.2 %", "0.8 %"})
+  for (const char* part : {"Failure: the fill that was in equilibrium last", "+9.37 %", "−6.25 %",
+                           "Run-out: from there to rest", "3.25", "0.375", "12.50", "96.0 %", "3.20 %", "0.800 %"})
     EXPECT_THAT(page, HasSubstr(part));
 }
 
