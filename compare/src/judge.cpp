@@ -78,6 +78,7 @@ std::vector<Verdict> judge(const RunOutcome& run) {
   std::vector<Verdict> verdicts = judge_solvers(run);
   append(verdicts, judge_physics(run));
   append(verdicts, judge_balance(run));
+  append(verdicts, judge_run_out(run));
   append(verdicts, judge_references(run));
   for (Verdict& verdict : verdicts)
     verdict.where = run.case_file;

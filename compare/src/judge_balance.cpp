@@ -51,18 +51,6 @@ double point_mass(const Stage& stage, const exchange::Used& used, const exchange
   return std::inner_product(stage.points.density.begin(), stage.points.density.end(), volume.begin(), 0.0);
 }
 
-/// What loads on the surface add to the weight, downward, after a stage [N/m].
-double surface_load(const exchange::Case& study, int stage) {
-  const std::vector<exchange::StageEntry> stages = study.all_stages();
-  double load = 0;
-  for (int number = 1; number <= std::min(stage, study.n_stages()); ++number) {
-    const exchange::StageEntry& entry = stages[static_cast<std::size_t>(number - 1)];
-    if (entry.action == exchange::Action::load)
-      load -= entry.traction[1] * std::hypot(entry.to[0] - entry.from[0], entry.to[1] - entry.from[1]);
-  }
-  return load;
-}
-
 std::vector<Audit> mass_audits(const exchange::Case& study, const exchange::Used& used) {
   constexpr double round_off = 1e-12;
   constexpr double summed = 1e-9;
@@ -189,6 +177,17 @@ bool asks_for_equilibrium(const exchange::Case& study, const std::string& solver
 }
 
 } // namespace
+
+double surface_load(const exchange::Case& study, int stage) {
+  const std::vector<exchange::StageEntry> stages = study.all_stages();
+  double load = 0;
+  for (int number = 1; number <= std::min(stage, study.n_stages()); ++number) {
+    const exchange::StageEntry& entry = stages[static_cast<std::size_t>(number - 1)];
+    if (entry.action == exchange::Action::load)
+      load -= entry.traction[1] * std::hypot(entry.to[0] - entry.from[0], entry.to[1] - entry.from[1]);
+  }
+  return load;
+}
 
 bool runs_in_time(const exchange::Case& study) {
   return study.motion && study.motion->duration;

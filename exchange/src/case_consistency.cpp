@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "failure_consistency.hpp"
 #include "material_consistency.hpp"
 #include "motion_consistency.hpp"
 #include "path_consistency.hpp"
@@ -187,6 +188,7 @@ void check_consistency(const Case& study, Reading& reading) {
     check_probes(study, reading);
   if (study.geometry.shape != Shape::point) check_stages(study, reading);
   check_relaxation(study, reading);
+  check_failure(study, reading);
   if (study.motion) check_motion(study, reading);
   check_references(study, reading);
   for (std::size_t number = 0; number < study.checks.size(); ++number) {

@@ -166,6 +166,12 @@ KeyTable<ExplicitDynamic> explicit_keys() {
             {.range = between(0, 1), .doc = "equilibrium: largest kinetic energy over work of external forces"});
   keys.real("max_hold_time", &Explicit::max_hold_time,
             {.unit = "s", .range = above(0), .doc = "no equilibrium after this time of holding is an error"});
+  keys.real(
+      "failure_displacement", &Explicit::failure_displacement,
+      {.range = between(0, 1),
+       .doc = "with `may_fail`: a point that moves this share of the fill's height without equilibrium is failure"});
+  keys.real("runout_damping", &Explicit::runout_damping,
+            {.range = from_to_below(0, 1), .doc = "with `may_fail`: local damping factor from failure to rest"});
   return keys;
 }
 

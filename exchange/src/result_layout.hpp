@@ -65,8 +65,25 @@ void for_each_attribute(AnyStage& stage, const Visit& visit) {
   visit("wall_time", stage.wall_time);
 }
 
+/// The same for a run-out.
+template <class AnyRunOut, class Visit>
+void for_each_attribute_of_run_out(AnyRunOut& run_out, const Visit& visit) {
+  visit("at_rest", run_out.at_rest);
+  visit("duration", run_out.duration);
+  visit("largest_displacement", run_out.largest_displacement);
+  visit("distance", run_out.distance);
+  visit("mass_before", run_out.mass_before);
+  visit("points_before", run_out.points_before);
+  visit("external_work", run_out.external_work);
+  visit("stress_work", run_out.stress_work);
+  visit("damping_loss", run_out.damping_loss);
+  visit("kinetic_energy", run_out.kinetic_energy);
+}
+
 inline constexpr const char* support_reactions = "support_reactions";
 inline constexpr const char* failure = "failure";
+inline constexpr const char* run_out = "run_out";     ///< in `failure`
+inline constexpr const char* run_out_state = "state"; ///< in `run_out`
 
 /// May a dataset be left out?
 bool is_optional(std::string_view name);

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <type_traits>
 
@@ -106,8 +107,9 @@ Points read_points(const hdf5::Group& group, std::size_t dimension) {
   return points;
 }
 
-void read_attributes(const hdf5::Group& group, Stage& stage) {
-  layout::for_each_attribute(stage, [&group](const std::string& name, auto& value) {
+/// What reads one number from an attribute.
+auto from(const hdf5::Group& group) {
+  return [&group](const std::string& name, auto& value) {
     using Number = std::decay_t<decltype(value)>;
     if (name == "linear_solves" && !group.has_attribute(name)) return; // other codes may not count them
     if constexpr (std::is_floating_point_v<Number>) {
@@ -115,7 +117,7 @@ void read_attributes(const hdf5::Group& group, Stage& stage) {
     } else {
       value = static_cast<Number>(group.integer_attribute(name));
     }
-  });
+  };
 }
 
 std::vector<double> read_support_reactions(const hdf5::Group& group, std::size_t dimension) {
@@ -130,7 +132,7 @@ std::vector<double> read_support_reactions(const hdf5::Group& group, std::size_t
 
 Stage read_stage(const hdf5::Group& group, std::size_t dimension) {
   Stage stage;
-  read_attributes(group, stage);
+  layout::for_each_attribute(stage, from(group));
   stage.points = read_points<SamplePoints>(group.open_group("points"), dimension);
   if (group.has(layout::support_reactions)) stage.support_reactions = read_support_reactions(group, dimension);
   if (!group.has("probes")) return stage;
@@ -140,10 +142,33 @@ Stage read_stage(const hdf5::Group& group, std::size_t dimension) {
   return stage;
 }
 
-std::optional<Failure> read_failure(const hdf5::Group& root) {
+/// A number of a run-out that cannot be, whatever the body.
+void check_run_out(const hdf5::Group& group, const RunOut& run_out) {
+  layout::for_each_attribute_of_run_out(run_out, [&](const std::string& name, const auto& value) {
+    const bool is_energy = name.ends_with("_work") || name == "damping_loss" || name == "kinetic_energy";
+    const auto number = static_cast<double>(value);
+    if (!std::isfinite(number) || (!is_energy && number < 0.0))
+      refuse(group, {group.name_of(name) + " is no such number",
+                     fmt::format("{}", number),
+                     is_energy ? "a number" : "a number from 0 on",
+                     {}});
+  });
+}
+
+RunOut read_run_out(const hdf5::Group& group, std::size_t dimension) {
+  RunOut run_out;
+  layout::for_each_attribute_of_run_out(run_out, from(group));
+  check_run_out(group, run_out);
+  run_out.state = read_stage(group.open_group(layout::run_out_state), dimension);
+  return run_out;
+}
+
+std::optional<Failure> read_failure(const hdf5::Group& root, std::size_t dimension) {
   if (!root.has(layout::failure)) return {};
   const hdf5::Group group = root.open_group(layout::failure);
-  return Failure{.stage = static_cast<int>(group.integer_attribute("stage")), .share = group.real_attribute("share")};
+  Failure failure{.stage = static_cast<int>(group.integer_attribute("stage")), .share = group.real_attribute("share")};
+  if (group.has(layout::run_out)) failure.run_out = read_run_out(group.open_group(layout::run_out), dimension);
+  return failure;
 }
 
 std::vector<Stage> read_stages(const hdf5::Group& group, std::size_t dimension) {
@@ -164,8 +189,9 @@ Result read_result(const std::filesystem::path& path) {
   result.case_text = root.read_text("case");
   result.provenance = read_provenance(root, result.case_text);
   result.used = read_used(root.open_group("used"));
-  result.stages = read_stages(root.open_group("stages"), static_cast<std::size_t>(result.used.dimension));
-  result.failure = read_failure(root);
+  const auto dimension = static_cast<std::size_t>(result.used.dimension);
+  result.stages = read_stages(root.open_group("stages"), dimension);
+  result.failure = read_failure(root, dimension);
   return result;
 }
 

@@ -69,11 +69,32 @@ void write_points(const hdf5::Group& group, const Points& points, std::size_t di
   });
 }
 
-void write_attributes(const hdf5::Group& group, const Stage& stage) {
-  layout::for_each_attribute(stage, [&group](const char* name, const auto& value) {
+/// What writes one number as an attribute.
+auto into(const hdf5::Group& group) {
+  return [&group](const char* name, const auto& value) {
     using Number = std::conditional_t<std::is_floating_point_v<std::decay_t<decltype(value)>>, double, std::int64_t>;
     group.write_attribute(name, static_cast<Number>(value));
-  });
+  };
+}
+
+void write_stage(const hdf5::Group& group, const Stage& stage, std::size_t dimension) {
+  layout::for_each_attribute(stage, into(group));
+  write_points(group.create_group("points"), stage.points, dimension);
+  const hdf5::Group probes = group.create_group("probes");
+  for (const auto& [name, samples] : stage.probes)
+    write_points(probes.create_group(name), samples, dimension);
+  if (!stage.support_reactions.empty())
+    group.write_array(layout::support_reactions, layout::sizes(stage.support_reactions.size() / dimension, dimension),
+                      stage.support_reactions);
+}
+
+void write_failure(const hdf5::Group& group, const Failure& failure, std::size_t dimension) {
+  group.write_attribute("stage", std::int64_t{failure.stage});
+  group.write_attribute("share", failure.share);
+  if (!failure.run_out) return;
+  const hdf5::Group run_out = group.create_group(layout::run_out);
+  layout::for_each_attribute_of_run_out(*failure.run_out, into(run_out));
+  write_stage(run_out.create_group(layout::run_out_state), failure.run_out->state, dimension);
 }
 
 } // namespace
@@ -101,16 +122,7 @@ ResultWriter& ResultWriter::operator=(ResultWriter&&) noexcept = default;
 ResultWriter::~ResultWriter() = default;
 
 void ResultWriter::write(const Stage& stage) {
-  const hdf5::Group group = impl_->stages.create_group(layout::stage_name(impl_->written + 1));
-  write_attributes(group, stage);
-  write_points(group.create_group("points"), stage.points, impl_->dimension);
-  const hdf5::Group probes = group.create_group("probes");
-  for (const auto& [name, samples] : stage.probes)
-    write_points(probes.create_group(name), samples, impl_->dimension);
-  if (!stage.support_reactions.empty())
-    group.write_array(layout::support_reactions,
-                      layout::sizes(stage.support_reactions.size() / impl_->dimension, impl_->dimension),
-                      stage.support_reactions);
+  write_stage(impl_->stages.create_group(layout::stage_name(impl_->written + 1)), stage, impl_->dimension);
   ++impl_->written;
 }
 
@@ -118,11 +130,7 @@ void ResultWriter::finish(double wall_time, int threads, const std::optional<Fai
   const hdf5::Group& root = impl_->file.root();
   root.write_attribute("threads", std::int64_t{threads});
   root.write_attribute("wall_time", wall_time);
-  if (failure) {
-    const hdf5::Group group = root.create_group(layout::failure);
-    group.write_attribute("stage", std::int64_t{failure->stage});
-    group.write_attribute("share", failure->share);
-  }
+  if (failure) write_failure(root.create_group(layout::failure), *failure, impl_->dimension);
   root.write_attribute("status", std::string(layout::complete));
   impl_->stages = hdf5::Group({}, root.file(), "/stages");
   impl_->file.close();

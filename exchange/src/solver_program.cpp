@@ -92,10 +92,27 @@ void print_progress(const Case& study, const Stage& stage, LogFormat format) {
             << std::endl;
 }
 
+nlohmann::ordered_json failure_event(const Failure& failure) {
+  nlohmann::ordered_json event{{"event", "failure"}, {"stage", failure.stage}, {"share", failure.share}};
+  if (failure.run_out)
+    event["run_out"] = {{"at_rest", failure.run_out->at_rest},
+                        {"duration", failure.run_out->duration},
+                        {"largest_displacement", failure.run_out->largest_displacement},
+                        {"distance", failure.run_out->distance},
+                        {"surface_height", failure.run_out->state.surface_height}};
+  return event;
+}
+
 void print_failure(const Failure& failure, LogFormat format) {
-  if (format == LogFormat::json)
-    return print_event({{"event", "failure"}, {"stage", failure.stage}, {"share", failure.share}});
+  if (format == LogFormat::json) return print_event(failure_event(failure));
   std::cout << fmt::format("failed in stage {}, beyond {:.4f} of it\n", failure.stage, failure.share);
+  if (!failure.run_out) return;
+  const RunOut& run_out = *failure.run_out;
+  std::cout << fmt::format("run-out: {} after {:.4g} s, {:.4g} m beyond where the body ended, largest displacement "
+                           "{:.4g} m, surface at {:.4g} m, {:.2g} of the work of gravity unaccounted\n",
+                           run_out.at_rest ? "at rest" : "NOT at rest", run_out.duration, run_out.distance,
+                           run_out.largest_displacement, run_out.state.surface_height,
+                           run_out.unaccounted() / run_out.external_work);
 }
 
 void solve(const SolverProgram& program, const Case& study, const Arguments& arguments) {
@@ -109,6 +126,7 @@ void solve(const SolverProgram& program, const Case& study, const Arguments& arg
   });
   writer.finish(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(),
                 program.threads ? program.threads(study) : 1, failure);
+  if (failure && failure->run_out) index.add(*failure->run_out);
   index.write();
   if (failure && !arguments.quiet) print_failure(*failure, arguments.log());
 }

@@ -40,17 +40,27 @@ XdmfIndex::XdmfIndex(const std::filesystem::path& result, int dimension)
 }
 
 void XdmfIndex::add(const Stage& stage) {
-  const std::string group = fmt::format("{}:/stages/{:04}/points/", data_, ++stages_);
+  ++stages_;
+  add(stage, fmt::format("stage {}", stages_), fmt::format("/stages/{:04}", stages_));
+}
+
+void XdmfIndex::add(const RunOut& run_out) {
+  ++stages_;
+  add(run_out.state, "run-out", "/failure/run_out/state");
+}
+
+void XdmfIndex::add(const Stage& stage, const std::string& name, const std::string& path) {
+  const std::string group = fmt::format("{}:{}/points/", data_, path);
   const auto item = [&](const Attribute& a) {
     return fmt::format("<DataItem Format=\"HDF\" {} Dimensions=\"{}\">{}{}</DataItem>", a.number,
                        shape(stage.points.size(), a.components), group, a.dataset);
   };
   constexpr const char* real = "NumberType=\"Float\" Precision=\"8\"";
-  grids_ += fmt::format("  <Grid Name=\"stage {0}\">\n   <Time Value=\"{0}\"/>\n"
+  grids_ += fmt::format("  <Grid Name=\"{5}\">\n   <Time Value=\"{0}\"/>\n"
                         "   <Topology TopologyType=\"Polyvertex\" NumberOfElements=\"{1}\">{2}</Topology>\n"
                         "   <Geometry GeometryType=\"{3}\">{4}</Geometry>\n",
                         stages_, stage.points.size(), every_point(stage.points.size()), dimension_ == 2 ? "XY" : "XYZ",
-                        item({"position", "", real, dimension_}));
+                        item({"position", "", real, dimension_}), name);
   for (const Attribute& a :
        {Attribute{"displacement", "Matrix", real, dimension_}, Attribute{"stress", "Matrix", real, 6},
         Attribute{"density", "Scalar", real, 1}, Attribute{"volume", "Scalar", real, 1},

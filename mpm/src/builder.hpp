@@ -9,7 +9,9 @@
 
 #include "construction.hpp"
 #include "ground.hpp"
+#include "moves.hpp"
 #include "polygon_construction.hpp"
+#include "settle/exchange/plane_geometry.hpp"
 #include "settle/mpm/loading.hpp"
 #include "stage_record.hpp"
 
@@ -44,6 +46,30 @@ public:
     return {std::move(stage), report.failed_at};
   }
 
+  /// Does the scheme go on after failure?
+  [[nodiscard]] bool runs_out() const { return is_explicit(); }
+
+  /// After a stage that failed: from the state in equilibrium last to rest.
+  exchange::RunOut run_out(int number) {
+    const auto start = std::chrono::steady_clock::now();
+    StageLoad stage_load = load_of(number);
+    if (!loads_.empty()) stage_load.loads = &loads_;
+    const Points<dim> before = body_.points;
+    exchange::RunOut result{.mass_before = total_mass(before),
+                            .points_before = static_cast<std::int64_t>(before.size())};
+    const RunOutReport report = mpm::run_out(body_, stage_load, study_.mpm.explicit_dynamic, study_.mpm.threads);
+    result.at_rest = report.at_rest, result.duration = report.duration;
+    result.external_work = report.external_work, result.stress_work = report.stress_work;
+    result.damping_loss = report.damping_loss;
+    result.kinetic_energy = kinetic_energy(body_.points) - kinetic_energy(before);
+    result.largest_displacement = largest_move(before, body_.points);
+    result.distance = reach_beyond(before, body_.points);
+    result.state.layer = stage_load.layer;
+    record(report.stage, result.state);
+    result.state.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return result;
+  }
+
 private:
   const exchange::Case& study_;
   Body<Space> body_;
@@ -71,9 +97,16 @@ private:
             .gravity = study_.gravity,
             .action = entry.action,
             .may_fail = study_.construction.may_fail,
+            .failure_distance = study_.mpm.explicit_dynamic.failure_displacement * fill_height(),
             .starts_carried = entry.k0.has_value(),
             .refill = refill_of(study_, entry.layer),
             .drive = drive_.get()};
+  }
+
+  /// As designed; of ground alone, its own [m].
+  [[nodiscard]] double fill_height() const {
+    const double height = exchange::fill_height(study_, study_.n_stages(), 1.0);
+    return height > 0.0 ? height : study_.geometry.height;
   }
 
   void begin(const exchange::StageEntry& entry, StageLoad& stage_load, exchange::Stage& stage) {
@@ -135,7 +168,8 @@ private:
     if constexpr (dim == 2)
       if (stage_load.drive != nullptr && stage_load.drive->runs_in_time())
         return run_motion(body_, stage_load, study_.mpm.explicit_dynamic.courant, study_.mpm.threads);
-    return load_explicit(body_, stage_load, study_.mpm.explicit_dynamic, study_.mpm.threads);
+    const auto to_equilibrium = stage_load.may_fail ? load_until_failure<Space> : load_explicit<Space>;
+    return to_equilibrium(body_, stage_load, study_.mpm.explicit_dynamic, study_.mpm.threads);
   }
 
   void record(const StageReport& report, exchange::Stage& stage) const {

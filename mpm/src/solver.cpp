@@ -70,7 +70,10 @@ std::optional<exchange::Failure> solve(const exchange::Case& study, const exchan
     for (int number = 1; number <= study.n_stages(); ++number) {
       const auto built = builder.build(number);
       if (!built.failed_at || *built.failed_at > 0.0) sink(built.stage);
-      if (built.failed_at) return exchange::Failure{.stage = number, .share = *built.failed_at};
+      if (!built.failed_at) continue;
+      exchange::Failure failure{.stage = number, .share = *built.failed_at};
+      if (builder.runs_out()) failure.run_out = builder.run_out(number);
+      return failure;
     }
     return {};
   });

@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -23,6 +25,25 @@ RunOutcome failed_run() {
     last.weight -= 0.5 * run.study.gravity * last.mass_placed;
     last.base_reaction = last.weight;
   }
+  return run;
+}
+
+/// The same, where MPM has gone on from there to rest.
+RunOutcome run_out_run() {
+  RunOutcome run = failed_run();
+  exchange::Result& result = result_in(run, "mpm");
+  exchange::Stage state = result.stages.back();
+  state.weight = state.base_reaction = run.study.gravity * state.mass;
+  result.failure->run_out = exchange::RunOut{.at_rest = true,
+                                             .duration = 3.0,
+                                             .largest_displacement = 0.5,
+                                             .distance = 0.25,
+                                             .mass_before = state.mass,
+                                             .points_before = static_cast<std::int64_t>(state.points.size()),
+                                             .external_work = 1000.0,
+                                             .stress_work = 950.0,
+                                             .damping_loss = 45.0,
+                                             .state = std::move(state)};
   return run;
 }
 
@@ -52,6 +73,32 @@ TEST(FailingBody, IsAuditedByWhatActedWhenItFailed) {
   result_in(run, "mpm").failure->share = 0.75;
   judge_into(run);
   EXPECT_EQ(verdict_on(run.verdicts, "mpm: weight = gravity x mass").status, Status::failed);
+}
+
+TEST(FailingBody, ThatRunsOutIsAuditedOnceMore) {
+  RunOutcome run = run_out_run();
+  judge_into(run);
+  for (const char* what :
+       {"mpm: the run-out loses nothing", "mpm: the run-out ends at rest", "mpm: work of gravity = stress work",
+        "mpm: base reaction = weight after the run-out", "mpm: every stage is there", "mpm: every stage ends in"})
+    EXPECT_EQ(verdict_on(run.verdicts, what).status, Status::passed) << verdict_on(run.verdicts, what).message;
+  EXPECT_NEAR(verdict_on(run.verdicts, "work of gravity").value, 0.005, 1e-12);
+}
+
+TEST(FailingBody, ThatLosesPointsWorkOrRestOnItsWayFails) {
+  const auto status_with = [](const char* what, auto&& change) {
+    RunOutcome run = run_out_run();
+    change(*result_in(run, "mpm").failure->run_out);
+    judge_into(run);
+    return verdict_on(run.verdicts, what).status;
+  };
+  using exchange::RunOut;
+  EXPECT_EQ(status_with("loses nothing", [](RunOut& of) { ++of.points_before; }), Status::failed);
+  EXPECT_EQ(status_with("loses nothing", [](RunOut& of) { of.mass_before *= 1.0 + 1e-9; }), Status::failed);
+  EXPECT_EQ(status_with("ends at rest", [](RunOut& of) { of.at_rest = false; }), Status::failed);
+  EXPECT_EQ(status_with("work of gravity", [](RunOut& of) { of.stress_work *= 0.9; }), Status::failed);
+  EXPECT_EQ(status_with("work of gravity", [](RunOut& of) { of.external_work = std::nan(""); }), Status::missing);
+  EXPECT_EQ(status_with("after the run-out", [](RunOut& of) { of.state.base_reaction *= 1.01; }), Status::failed);
 }
 
 TEST(FailingBody, ThatStandsHasNoHeightOfFailure) {

@@ -73,6 +73,35 @@ TEST(BodyPage, SaysWhyAReactionIsNotAudited) {
               HasSubstr("base reaction is not held against its weight: supports that follow a motion"));
 }
 
+TEST(BodyPage, ShowsWhereEachSolverFoundFailureAndWhatBecameOfTheBody) {
+  EXPECT_THAT(html_report(campaign_of(body_case())), Not(HasSubstr("Failure: the fill that was in equilibrium last")));
+  CampaignOutcome outcome = campaign_of(body_case({"construction.may_fail=true"}));
+  RunOutcome& run = outcome.runs.back();
+  run.study.checks.push_back({.quantity = Quantity::failure_height, .between = {"fem", "exact"}, .exact = "1.6"});
+  const auto result_in = [](RunOutcome& of, const std::string& name) -> exchange::Result& {
+    for (SolverRun& solver : of.solvers)
+      if (solver.solver == name) return *solver.result;
+    throw std::out_of_range(name);
+  };
+  for (const char* solver : {"mpm", "fem"})
+    result_in(run, solver).failure = exchange::Failure{.stage = 2, .share = 0.5};
+  EXPECT_THAT(html_report(outcome), Not(HasSubstr("Run-out: from there to rest")));
+  exchange::Result& result = result_in(run, "mpm");
+  result.failure->share = 0.75;
+  result.failure->run_out = exchange::RunOut{.at_rest = true,
+                                             .duration = 3.25,
+                                             .distance = 0.375,
+                                             .mass_before = result.stages.back().mass,
+                                             .external_work = 12500.0,
+                                             .stress_work = 12000.0,
+                                             .damping_loss = 400.0,
+                                             .state = result.stages.back()};
+  const std::string page = html_report(outcome);
+  for (const char* part : {"Failure: the fill that was in equilibrium last", "+9.37 %", "−6.25 %",
+                           "Run-out: from there to rest", "3.25", "0.375", "12.50", "96.0 %", "3.20 %", "0.800 %"})
+    EXPECT_THAT(page, HasSubstr(part));
+}
+
 TEST(BodyPage, SurvivesWithoutMotionProbesGravityAndResults) {
   exchange::Case study = body_case({"gravity=0"});
   study.motion.reset();

@@ -71,6 +71,8 @@ TEST(CaseReading, EveryKeyOfTheMaterialPointMethodReachesItsMember) {
   EXPECT_EQ(mpm.explicit_dynamic.force_error, 0.002);
   EXPECT_EQ(mpm.explicit_dynamic.energy_error, 0.003);
   EXPECT_EQ(mpm.explicit_dynamic.max_hold_time, 13.0);
+  EXPECT_EQ(mpm.explicit_dynamic.failure_displacement, 0.03);
+  EXPECT_EQ(mpm.explicit_dynamic.runout_damping, 0.1);
 }
 
 TEST(CaseReading, EveryKeyOfFemProbesReferencesAndChecksReachesItsMember) {

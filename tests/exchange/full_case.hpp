@@ -57,6 +57,8 @@ hold = 12.5
 force_error = 0.002
 energy_error = 0.003
 max_hold_time = 13
+failure_displacement = 0.03
+runout_damping = 0.1
 
 [fem]
 element = "Q2"

@@ -1,8 +1,9 @@
+#include <cmath>
+#include <fstream>
+
 #include <fcntl.h>
 #include <sys/file.h>
 #include <unistd.h>
-
-#include <fstream>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -71,6 +72,32 @@ std::string complaint_on_writing(const std::filesystem::path& file) {
   return {};
 }
 
+/// A failure after which a solver went on, written after two stages of the sample case.
+Failure sample_failure(int dimension) {
+  return {.stage = 2,
+          .share = 0.25,
+          .run_out = RunOut{.at_rest = true,
+                            .duration = 7.5,
+                            .largest_displacement = 1.25,
+                            .distance = 0.75,
+                            .mass_before = 4321.0,
+                            .points_before = 6,
+                            .external_work = 100.5,
+                            .stress_work = 90.25,
+                            .damping_loss = 8.125,
+                            .kinetic_energy = -0.5,
+                            .state = sample_stage(2, dimension)}};
+}
+
+std::filesystem::path write_failed_sample(int dimension, const Failure& failure) {
+  const std::filesystem::path file = fresh_path("failed.h5");
+  ResultWriter writer(file, sample_case(dimension), "settle-test",
+                      used_values(sample_case(dimension), Kinematics::finite));
+  writer.write(sample_stage(1, dimension));
+  writer.finish(1.5, 2, failure);
+  return file;
+}
+
 class ResultRoundTrip : public testing::TestWithParam<int> {};
 
 } // namespace
@@ -80,6 +107,39 @@ TEST_P(ResultRoundTrip, LosesNoBitOfAnyStage) {
   ASSERT_EQ(result.stages.size(), 2U);
   for (const int layer : {1, 2})
     expect_same(result.stages[static_cast<std::size_t>(layer) - 1], sample_stage(layer, GetParam()));
+}
+
+TEST_P(ResultRoundTrip, KeepsAFailureAndWhatBecameOfTheBody) {
+  const Failure written = sample_failure(GetParam());
+  const Result result = read_result(write_failed_sample(GetParam(), written));
+  ASSERT_TRUE(result.failure && result.failure->run_out);
+  EXPECT_EQ(result.failure->stage, 2);
+  EXPECT_EQ(result.failure->share, 0.25);
+  const RunOut &read = *result.failure->run_out, &run_out = *written.run_out;
+  EXPECT_EQ(read.at_rest, run_out.at_rest);
+  EXPECT_EQ(read.duration, run_out.duration);
+  EXPECT_EQ(read.largest_displacement, run_out.largest_displacement);
+  EXPECT_EQ(read.distance, run_out.distance);
+  EXPECT_EQ(read.mass_before, run_out.mass_before);
+  EXPECT_EQ(read.points_before, run_out.points_before);
+  EXPECT_EQ(read.external_work, run_out.external_work);
+  EXPECT_EQ(read.stress_work, run_out.stress_work);
+  EXPECT_EQ(read.damping_loss, run_out.damping_loss);
+  EXPECT_EQ(read.kinetic_energy, run_out.kinetic_energy);
+  EXPECT_EQ(read.unaccounted(), 100.5 - 90.25 - 8.125 + 0.5);
+  expect_same(read.state, run_out.state);
+}
+
+TEST(ResultReader, RefusesARunOutWithNumbersThatCannotBe) {
+  Failure failure = sample_failure(2);
+  failure.run_out->distance = -0.5;
+  EXPECT_THAT(complaint_about(write_failed_sample(2, failure)),
+              AllOf(HasSubstr("/failure/run_out/distance is no such number"), HasSubstr("given:   -0.5"),
+                    HasSubstr("allowed: a number from 0 on")));
+  failure = sample_failure(2);
+  failure.run_out->stress_work = std::nan("");
+  EXPECT_THAT(complaint_about(write_failed_sample(2, failure)),
+              HasSubstr("/failure/run_out/stress_work is no such number"));
 }
 
 TEST_P(ResultRoundTrip, KeepsTheCaseTheValuesUsedAndTheProvenance) {

@@ -22,6 +22,7 @@ beyond_a_schema = {
     "convergence_of_an_unknown_solver", "convergence_over_fields", "damped_motion", "embankment_all_foundation",
     "embankment_with_a_support", "embankment_without_measures", "everything_removed", "exact_of_a_field",
     "exact_that_is_no_number", "fields_against_the_exact_solution", "fields_of_a_column", "formula_unfinished",
+    "failure_held_for_a_time", "failure_of_a_column", "failure_of_a_known_motion", "failure_under_relaxation",
     "formula_with_a_slip", "ground_under_a_fill", "hold_before_anything", "k0_of_a_fill", "layer_never_placed",
     "layer_of_two_materials", "layer_placed_twice", "layer_removed_before_it_is_there", "layer_without_polygon",
     "layers_backwards", "layers_that_are_not_there", "level_given_twice", "levels_from_fine_to_coarse",

@@ -62,6 +62,10 @@ Table split_table(const DifferenceSplit& split, int dimension);
 Table parts_table();
 /// Of every solver with a result.
 Table balance_table(const RunOutcome& run);
+/// Of every solver whose body failed: the height in equilibrium last, beside the exact one where a check states it.
+Table onset_table(const RunOutcome& run);
+/// Of every solver that went on after failure, with what has become of the work of gravity.
+Table run_out_table(const RunOutcome& run);
 Table refill_table(const exchange::Result& result);
 Table parameter_table(const RunOutcome& run);
 /// What the keys in the parameter tables of all runs mean, each once.

@@ -77,6 +77,12 @@ data refill(const RunOutcome& run) {
   return data(html_of(refill_table(*run.result_of("mpm"))));
 }
 
+data failure(const RunOutcome& run) {
+  const Table onsets = onset_table(run), run_outs = run_out_table(run);
+  if (onsets.rows.empty()) return data(false);
+  return data(html_of(onsets) + (run_outs.rows.empty() ? std::string() : html_of(run_outs)));
+}
+
 /// What the solvers that did not finish said last.
 data tails(const RunOutcome& run) {
   data list(data::type::list);
@@ -129,6 +135,7 @@ std::string run_html(const CampaignOutcome& outcome, const RunOutcome& run, cons
   section.set("verdicts", html_of(verdict_table(for_reading(verdicts), facets)));
   section.set("solvers", html_of(solver_table(run)));
   section.set("tails", tails(run));
+  section.set("failure", failure(run));
   section.set("key_figures", html_of(key_figure_table(run)));
   section.set("figures", figures(outcome, run) + distribution_along_base(outcome, run));
   section.set("exact", formulas_html(outcome, run));

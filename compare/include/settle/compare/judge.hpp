@@ -23,6 +23,10 @@ Verdict judge_check(const RunOutcome& run, const exchange::Check& check);
 /// The base reaction is judged where the base carries the weight and nothing else; see `reaction_unaudited`.
 std::vector<Verdict> judge_balance(const RunOutcome& run);
 
+/// What became of bodies that failed, for every solver that went on: nothing is lost, the body comes to rest, what
+/// gravity has done is accounted for, the base carries the weight. Nothing where no solver did.
+std::vector<Verdict> judge_run_out(const RunOutcome& run);
+
 /// Did each solver use what the case says: elastic constants, density, gravity, law, convention, kinematics, dimension.
 std::vector<Verdict> judge_physics(const RunOutcome& run);
 
@@ -37,6 +41,9 @@ bool is_unheld(const exchange::Case& study, const std::string& solver);
 
 /// Does the case's motion run in time, so that rest is not what it ends in?
 bool runs_in_time(const exchange::Case& study);
+
+/// What loads on the surface add to the weight, downward, after a stage [N/m].
+double surface_load(const exchange::Case& study, int stage);
 
 /// Why a solver's base reaction is not held against its weight, in a sentence; empty where it is.
 std::string reaction_unaudited(const exchange::Case& study, const std::string& solver);

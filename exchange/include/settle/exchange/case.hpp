@@ -309,6 +309,9 @@ struct ExplicitDynamic {
   double force_error = 0.001;        ///< sum|F_unbalanced| / sum|F_external| [-]
   double energy_error = 0.001;       ///< kinetic energy / work of external forces [-]
   double max_hold_time = 600.0;      ///< [s]
+  // Where a case may fail.
+  double failure_displacement = 0.02; ///< of a point since the last equilibrium, over the height of the fill [-]
+  double runout_damping = 0.05;       ///< local damping factor after failure [-]
 };
 
 /// What the material point method is told.

@@ -62,10 +62,30 @@ struct Stage {
   std::vector<double> support_reactions{}; ///< (supports, dim) force on the body [N/m or N]; empty: not known
 };
 
+/// What became of a body that failed, where a solver goes on: from the state in equilibrium last, now with all of its
+/// weight, to rest. Works and energies are per metre out of plane in 2-D and cover this way [J/m or J].
+struct RunOut {
+  bool at_rest = false;            ///< or only as far as the time allowed went
+  double duration = 0;             ///< [s]
+  double largest_displacement = 0; ///< of a point on this way [m]
+  double distance = 0;             ///< of the farthest point beyond where the body ended before, along x [m]
+  double mass_before = 0;          ///< [kg/m or kg]
+  std::int64_t points_before = 0;
+  double external_work = 0;  ///< of gravity and loads
+  double stress_work = 0;    ///< stored and dissipated in the material
+  double damping_loss = 0;   ///< taken by the scheme's damping
+  double kinetic_energy = 0; ///< of the points: gained
+  Stage state{};             ///< at the end
+
+  /// What the other works and energies leave of the external work: dissipated by the scheme's own errors, or made.
+  [[nodiscard]] double unaccounted() const { return external_work - stress_work - damping_loss - kinetic_energy; }
+};
+
 /// The stage that found no equilibrium, where a case may fail.
 struct Failure {
   int stage = 0;    ///< 1 ... number of stages of the case
   double share = 0; ///< of it that was in equilibrium last, 0 ... 1; above 0, the result's last stage is that state
+  std::optional<RunOut> run_out{}; ///< none: the solver ends there
 };
 
 /// The values the solver really used, for the driver to hold against the case.

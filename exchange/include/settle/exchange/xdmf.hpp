@@ -15,6 +15,8 @@ public:
   XdmfIndex(const std::filesystem::path& result, int dimension);
 
   void add(const Stage& stage);
+  /// The state at its end, as one stage more.
+  void add(const RunOut& run_out);
   /// Throws FileError where the file cannot be written.
   void write() const;
 
@@ -24,6 +26,9 @@ private:
   int dimension_;
   int stages_ = 0;
   std::string grids_;
+
+  /// `path`: of the group of the stage in the result.
+  void add(const Stage& stage, const std::string& name, const std::string& path);
 };
 
 } // namespace settle::exchange

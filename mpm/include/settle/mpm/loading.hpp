@@ -18,7 +18,8 @@ struct StageLoad {
   int layer = 1;
   double gravity = 9.81; ///< [m/s2]
   exchange::Action action = exchange::Action::place;
-  bool may_fail = false;       ///< the quasi-static scheme returns where it finds no equilibrium, and does not throw
+  bool may_fail = false;       ///< the stage returns where it finds no equilibrium, and does not throw
+  double failure_distance = 0; ///< explicit: a point that moves so far without equilibrium is failure [m]
   bool starts_carried = false; ///< the layer's weight is in equilibrium with stresses that it starts with
   Refill refill{};
   const Drive* drive = nullptr;        ///< the case's known motion, if it has one
@@ -69,6 +70,26 @@ StageReport load_quasi_static(Body<Space>& body, const StageLoad& load, const ex
 template <class Space>
 StageReport load_explicit(Body<Space>& body, const StageLoad& load, const exchange::ExplicitDynamic& settings,
                           int threads);
+
+/// Explicit, where the case may fail: as `load_explicit`, with local damping and until equilibrium. The state in
+/// equilibrium last is kept; where a point has moved by `failure_distance` since, the body is led back to that state,
+/// and its share of the stage is the report's `failed_at`. Throws as `load_explicit`.
+template <class Space>
+StageReport load_until_failure(Body<Space>& body, const StageLoad& load, const exchange::ExplicitDynamic& settings,
+                               int threads);
+
+/// What has become of a body after failure. Works [J/m in 2-D].
+struct RunOutReport {
+  StageReport stage{};
+  bool at_rest = false;
+  double duration = 0; ///< [s]
+  double external_work = 0, stress_work = 0, damping_loss = 0;
+};
+
+/// Explicit: from the state in equilibrium last, with all of the stage's load, to rest, or through `max_hold_time`.
+/// Throws PointLost.
+template <class Space>
+RunOutReport run_out(Body<Space>& body, const StageLoad& load, const exchange::ExplicitDynamic& settings, int threads);
 
 /// Explicit: the weight of the stage's layer fades over `ramp_time`, without a hold; nothing happens where there is no
 /// ramp. Throws PointLost.

@@ -14,7 +14,7 @@ int threads(const exchange::Case& study);
 
 /// Builds the construction layer by layer. Throws exchange::InputError (`require_solvable`, or a `drop` that has no
 /// quasi-static equilibrium), exchange::NotConverged, PointLost. Returns where the body failed, if the case allows that
-/// and the quasi-static scheme found no equilibrium.
+/// and no equilibrium was found; by the explicit scheme, with what became of the body.
 std::optional<exchange::Failure> solve(const exchange::Case& study, const exchange::StageSink& sink);
 
 } // namespace settle::mpm
