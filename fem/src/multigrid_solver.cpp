@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cstdlib>
 
 #include <Teuchos_ParameterList.hpp>
 #include <deal.II/base/mpi.h>
@@ -15,8 +16,10 @@ namespace {
 
 using Vector = dealii::Vector<double>;
 
-/// Trilinos lives on MPI, here with one process. Started when first needed, because that takes half a second.
+/// Trilinos lives on MPI, here with one process. Started when first needed, because that takes a while, and without the
+/// daemon that Open MPI keeps for processes to come.
 void start_mpi() {
+  setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
   static int no_arguments = 0;
   static char** no_values = nullptr;
   static const dealii::Utilities::MPI::MPI_InitFinalize running(no_arguments, no_values,
