@@ -15,6 +15,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "settle/compare/process_memory.hpp"
+
 namespace settle::compare {
 namespace {
 
@@ -60,6 +62,18 @@ double seconds(const timeval& time) {
   return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
 }
 
+double peak_memory(const rusage& used) {
+  constexpr double kibibyte = 1024.0;
+  return kibibyte * static_cast<double>(used.ru_maxrss);
+}
+
+/// Of this program [B].
+double own_peak_memory() {
+  rusage used{};
+  getrusage(RUSAGE_SELF, &used);
+  return peak_memory(used);
+}
+
 } // namespace
 
 Child::Child(const ProcessRequest& request) {
@@ -85,6 +99,7 @@ void Child::start(const ProcessRequest& request) {
   id_ = vfork(); // a copy of the driver's pages would cost both of them more than the rest of the start
   if (id_ == 0)
     become(request.program.c_str(), arguments.data(), input.number(), log.number(), writing.number(), parent);
+  starters_peak_ = own_peak_memory();
   writing.reset(); // ours: the child's closes when it becomes the program
   int failure = id_ < 0 ? errno : 0;
   if (id_ > 0 && read(reading.number(), &failure, sizeof failure) > 0) {
@@ -102,7 +117,13 @@ Child::~Child() {
   if (handle_ >= 0) close(handle_);
 }
 
-bool Child::wait(std::chrono::milliseconds most) const {
+bool Child::wait(std::chrono::milliseconds most) {
+  if (has_ended_within(most)) return true;
+  seen_peak_ = std::max(seen_peak_, peak_memory_of(id_));
+  return false;
+}
+
+bool Child::has_ended_within(std::chrono::milliseconds most) const {
   if (handle_ >= 0) {
     pollfd ended{.fd = handle_, .events = POLLIN, .revents = 0};
     return poll(&ended, 1, static_cast<int>(most.count())) > 0;
@@ -129,7 +150,9 @@ void Child::reap(ProcessOutcome& outcome) {
   outcome.end = WIFSIGNALED(status) ? ProcessEnd::signalled : ProcessEnd::exited;
   outcome.code = WIFSIGNALED(status) ? WTERMSIG(status) : WEXITSTATUS(status);
   outcome.cpu_time = seconds(used.ru_utime) + seconds(used.ru_stime);
-  outcome.peak_memory = 1024.0 * static_cast<double>(used.ru_maxrss);
+  // What the kernel tells is never less than what its starter had at the start, whose memory it shared for a moment.
+  const double told = peak_memory(used);
+  outcome.peak_memory = told > starters_peak_ || seen_peak_ == 0 ? told : seen_peak_;
 }
 
 } // namespace settle::compare

@@ -23,7 +23,7 @@ public:
   [[nodiscard]] const std::string& problem() const { return problem_; }
   [[nodiscard]] pid_t id() const { return id_; }
   /// Waits for its end, at most so long. True: it has ended, and can be reaped.
-  [[nodiscard]] bool wait(std::chrono::milliseconds most) const;
+  [[nodiscard]] bool wait(std::chrono::milliseconds most);
   /// Kills the whole group.
   void kill_group() const;
   /// Kills what is left of the group of a child that has ended, and fills in how it ended and what it has used.
@@ -31,9 +31,12 @@ public:
 
 private:
   void start(const ProcessRequest& request);
+  [[nodiscard]] bool has_ended_within(std::chrono::milliseconds most) const;
 
   pid_t id_ = -1;
-  int handle_ = -1; ///< that becomes readable when the child ends; -1 on kernels without
+  int handle_ = -1;          ///< that becomes readable when the child ends; -1 on kernels without
+  double seen_peak_ = 0;     ///< of its memory, while it was waited for [B]
+  double starters_peak_ = 0; ///< of this program's memory when it was started [B]
   std::string problem_;
 };
 

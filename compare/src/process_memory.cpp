@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <string>
+#include <vector>
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -19,6 +21,25 @@ double own_memory(pid_t process) {
   double size = 0, resident = 0, shared = 0; // pages
   if (!(file >> size >> resident >> shared)) return 0;
   return (resident - shared) * static_cast<double>(sysconf(_SC_PAGESIZE));
+}
+
+double own_peak_memory(pid_t process) {
+  constexpr double kibibyte = 1024.0;
+  std::ifstream file(fmt::format("/proc/{}/status", process));
+  for (std::string word; file >> word;)
+    if (double most = 0; word == "VmHWM:" && file >> most) return kibibyte * most;
+  return 0;
+}
+
+std::vector<pid_t> children_of(pid_t process) {
+  std::vector<pid_t> all;
+  std::error_code gone; // a process may end at any moment
+  for (const fs::directory_entry& thread : fs::directory_iterator(fmt::format("/proc/{}/task", process), gone)) {
+    std::ifstream children(thread.path() / "children");
+    for (pid_t child = 0; children >> child;)
+      all.push_back(child);
+  }
+  return all;
 }
 
 /// What a control group allows [B]; infinite where it says "max" or there is no such file.
@@ -39,12 +60,15 @@ double allowed_by_slurm() {
 
 double memory_of(pid_t process) {
   double memory = own_memory(process);
-  std::error_code gone; // a process may end at any moment
-  for (const fs::directory_entry& thread : fs::directory_iterator(fmt::format("/proc/{}/task", process), gone)) {
-    std::ifstream children(thread.path() / "children");
-    for (pid_t child = 0; children >> child;)
-      memory += memory_of(child);
-  }
+  for (const pid_t child : children_of(process))
+    memory += memory_of(child);
+  return memory;
+}
+
+double peak_memory_of(pid_t process) {
+  double memory = own_peak_memory(process);
+  for (const pid_t child : children_of(process))
+    memory = std::max(memory, peak_memory_of(child));
   return memory;
 }
 

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <csignal>
 #include <thread>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -83,6 +84,17 @@ TEST(Process, TheMemoryOfItsChildrenCounts) {
                                               .memory_limit = 50e6},
                                              go_on);
   EXPECT_EQ(outcome.end, ProcessEnd::out_of_memory);
+}
+
+/// The kernel counts what the starter has, because both share it until the program begins.
+TEST(Process, ItsPeakMemoryIsItsOwnAndNotThatOfWhoStartedIt) {
+  const ScratchFolder folder;
+  constexpr std::size_t much = 60'000'000; // [B]
+  const std::vector<char> own(much, 'x');
+  EXPECT_LT(run("sleep 0.3", folder).peak_memory, 0.5 * much);
+  const ProcessOutcome larger = run("x=x; while [ ${#x} -lt 130000000 ]; do x=$x$x; done; sleep 0.2", folder);
+  EXPECT_GT(larger.peak_memory, 2.0 * much);
+  EXPECT_EQ(own.back(), 'x');
 }
 
 TEST(Process, TellsTheTimeOfTheProcessor) {

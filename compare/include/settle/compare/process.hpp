@@ -28,7 +28,8 @@ struct ProcessOutcome {
   int code = 0;           ///< exit code, or the number of the signal
   double wall_time = 0;   ///< [s]
   double cpu_time = 0;    ///< user and system, with its children [s]
-  double peak_memory = 0; ///< largest resident set of it or one of its children [B]
+  double peak_memory = 0; ///< largest resident set of it or one of its children [B]; where that is less than this
+                          ///< program's own was at the start, as seen some milliseconds before the end at the latest
   std::string problem{};  ///< why it could not be started
 };
 
