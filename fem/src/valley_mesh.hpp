@@ -11,8 +11,8 @@ namespace settle::fem {
 /// meet in whole edges.
 PlaneMesh valley_section(const exchange::Case& study);
 
-/// In how many slices, nowhere thicker than `fem.element_size`, that section is repeated from one slope to the other. At
-/// every height they are of equal thickness.
+/// In how many slices, nowhere thicker than `fem.element_size`, that section is repeated from one slope to the other.
+/// At every height they are of equal thickness.
 unsigned slices_across_valley(const exchange::Case& study);
 
 /// The x of where a slice begins, counted from the slope on the left, at a height [m].

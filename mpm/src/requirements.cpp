@@ -210,7 +210,9 @@ void require_no_loads(const exchange::Case& study) {
                                   .what = "settle-mpm loads surfaces in the plane only",
                                   .given = "action = \"load\" with geometry.dimension = 3",
                                   .allowed = "\"ground\", \"place\", \"remove\", \"hold\"",
-                                  .remedy = "set geometry.dimension = 2: the section is the same"});
+                                  .remedy = study.geometry.valley
+                                                ? "leave the stage out"
+                                                : "set geometry.dimension = 2: the section is the same"});
 }
 
 /// Along the extrusion full cells distribute their force by other shares than points feel it.
