@@ -10,7 +10,7 @@ namespace settle::mpm {
 template <class Space>
 class ExplicitStep<Space>::Phases {
 public:
-  Phases(Body<Space>& body, int threads) : n_nodes(body.space.n_nodes()) {
+  Phases(Body<Space>& body, int threads) {
     if (body.materials.empty())
       fast_.emplace(body, threads);
     else
@@ -21,7 +21,7 @@ public:
   auto with(Action&& action) {
     return fast_ ? action(*fast_) : action(*pointwise_);
   }
-  int n_nodes;
+  Nodes<dim> nodes; ///< as read last
 
 private:
   /// Kernels know bodies of one simple material.
@@ -70,11 +70,9 @@ auto ExplicitStep<Space>::node(int node) const -> NodeState<dim> {
   return phases_->with([&](auto& step) { return step.node(node); });
 }
 template <class Space>
-auto ExplicitStep<Space>::nodes() const -> Nodes<dim> {
-  Nodes<dim> nodes(static_cast<std::size_t>(phases_->n_nodes));
-  for (int n = 0; n < phases_->n_nodes; ++n)
-    nodes[static_cast<std::size_t>(n)] = node(n);
-  return nodes;
+auto ExplicitStep<Space>::nodes() -> const Nodes<dim>& {
+  phases_->with([&](auto& step) { step.read_nodes(phases_->nodes); });
+  return phases_->nodes;
 }
 template <class Space>
 void ExplicitStep<Space>::set_displacement(int node, const Vector<dim>& displacement) {

@@ -81,6 +81,7 @@ void KernelStep<Space>::allocate_nodes() {
     nodes_[size_of(k)].assign(padded, 0.0);
     step_.node[k] = nodes_[size_of(k)].data() + margin;
   }
+  zeros_.assign(columns, 0.0);
   overlap_nodes_.assign(size_of(step_.n_strips * step_.n_node_arrays) * overlap * columns, 0.0);
   step_.overlap_nodes = overlap_nodes_.data();
   if (step_.full_cells && phases_.n_means > 0) {

@@ -175,31 +175,39 @@ void KernelStep<Space>::deform(void* context, Size first, int count, const doubl
 }
 
 template <class Space>
-auto KernelStep<Space>::node(int node) const -> NodeState<dim> {
-  const int row = node / step_.node_columns, strip = std::min(row / step_.strip_rows, step_.n_strips);
-  const int own_strip = row >= step_.rows ? step_.n_strips : strip;
-  const int row_of_strip = row - (own_strip == step_.n_strips ? step_.rows : own_strip * step_.strip_rows);
-  const auto value = [&](int k) {
-    if (step_.node[k] == nullptr) return 0.0;
-    const double own = step_.node[k][node];
-    if (nodes_complete_) return own;
-    const Size columns = size_of(step_.node_columns);
-    double sum = own_strip < step_.n_strips && touched_[size_of(own_strip)] != 0 ? own : 0.0;
-    if (own_strip > 0 && row_of_strip < step_.overlap && touched_[size_of(own_strip) - 1] != 0)
-      sum += overlap_nodes_[(size_of((own_strip - 1) * step_.n_node_arrays + k) * size_of(step_.overlap) +
-                             size_of(row_of_strip)) *
-                                columns +
-                            size_of(node % step_.node_columns)];
-    return sum;
-  };
-  NodeState<dim> state{.mass = value(Array::mass)};
-  for (int d = 0; d < dim; ++d) {
-    const double momentum = value(Array::momentum + d), force = value(Array::force + d);
-    state.momentum[d] = state.displacement[d] = momentum;
-    state.internal[d] = state.acceleration[d] = force;
-    state.external[d] = value(Array::external(d));
+auto KernelStep<Space>::node_row(int row) const -> NodeRow {
+  const int strip = row >= step_.rows ? step_.n_strips : row / step_.strip_rows;
+  const int row_of_strip = row - (strip == step_.n_strips ? step_.rows : strip * step_.strip_rows);
+  const auto touched = [&](int s) { return s >= 0 && s < step_.n_strips && touched_[size_of(s)] != 0; };
+  const bool completes = !nodes_complete_ && row_of_strip < step_.overlap && touched(strip - 1);
+  const Size columns = size_of(step_.node_columns);
+  NodeRow numbers;
+  numbers.own.fill(zeros_.data()), numbers.from_below.fill(zeros_.data());
+  for (int k = 0; k < Array::matrix; ++k) {
+    if (step_.node[k] == nullptr) continue;
+    if (nodes_complete_ || touched(strip)) numbers.own[size_of(k)] = step_.node[k] + size_of(row) * columns;
+    if (completes)
+      numbers.from_below[size_of(k)] =
+          overlap_nodes_.data() +
+          (size_of((strip - 1) * step_.n_node_arrays + k) * size_of(step_.overlap) + size_of(row_of_strip)) * columns;
   }
-  return state;
+  return numbers;
+}
+
+template <class Space>
+auto KernelStep<Space>::node(int node) const -> NodeState<dim> {
+  return node_row(node / step_.node_columns).node(size_of(node % step_.node_columns));
+}
+
+template <class Space>
+void KernelStep<Space>::read_nodes(Nodes<dim>& nodes) const {
+  const Size columns = size_of(step_.node_columns);
+  nodes.resize(size_of(step_.rows + step_.overlap) * columns);
+  for (int row = 0; row < step_.rows + step_.overlap; ++row) {
+    const NodeRow numbers = node_row(row);
+    for (Size column = 0; column < columns; ++column)
+      nodes[size_of(row) * columns + column] = numbers.node(column);
+  }
 }
 
 template <class Space>

@@ -43,6 +43,7 @@ public:
   void gather();
 
   [[nodiscard]] NodeState<dim> node(int node) const;
+  void read_nodes(Nodes<dim>& nodes) const;
   void set_displacement(int node, const Vector<dim>& displacement);
 
 private:
@@ -53,6 +54,21 @@ private:
   /// What a strip's points have in common since they were sorted.
   struct Layers {
     std::int32_t lowest, highest;
+  };
+  /// A row of nodes, by array: what its own strip has summed, and what the strip below adds; or zeros.
+  struct NodeRow {
+    std::array<const double*, Array::matrix> own, from_below;
+
+    [[nodiscard]] NodeState<dim> node(Size column) const {
+      const auto value = [&](int k) { return own[size_of(k)][column] + from_below[size_of(k)][column]; };
+      NodeState<dim> state{.mass = value(Array::mass)};
+      for (int d = 0; d < dim; ++d) {
+        state.momentum[d] = state.displacement[d] = value(Array::momentum + d);
+        state.internal[d] = state.acceleration[d] = value(Array::force + d);
+        state.external[d] = value(Array::external(d));
+      }
+      return state;
+    }
   };
   struct Crossing {
     Size index;
@@ -68,6 +84,7 @@ private:
   bool nodes_complete_ = false;
 
   std::array<std::vector<double>, kernel::max_node_arrays> nodes_;
+  std::vector<double> zeros_; ///< a row of nodes
   std::vector<double> overlap_nodes_, mean_, column_volume_;
   PerAxis<std::vector<double>, dim> force_;
   std::vector<std::vector<double>> scratch_;
@@ -86,6 +103,8 @@ private:
   [[nodiscard]] Size strip_of(Size tile) const { return tile / size_of(step_.strip_tiles); }
   [[nodiscard]] bool may_stray() const;
   [[nodiscard]] bool is_active(int strip) const { return active_[size_of(strip)] != 0; }
+
+  [[nodiscard]] NodeRow node_row(int row) const;
 
   void set_grid();
   void divide_rows();

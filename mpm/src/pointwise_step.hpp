@@ -126,6 +126,7 @@ public:
   void gather() {}
 
   [[nodiscard]] NodeState<dim> node(int node) const { return nodes_[static_cast<std::size_t>(node)]; }
+  void read_nodes(Nodes<dim>& nodes) const { nodes = nodes_; }
   void set_displacement(int node, const Vector<dim>& displacement) { at(node).displacement = displacement; }
 
 private:

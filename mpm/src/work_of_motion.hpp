@@ -2,7 +2,6 @@
 /// What the forces at the nodes do, step by step.
 #pragma once
 
-#include <utility>
 #include <vector>
 
 #include "settle/mpm/explicit_step.hpp"
@@ -17,10 +16,10 @@ template <int dim>
 class WorkOfMotion {
 public:
   /// To be told after forces have been scattered.
-  void know_forces(Nodes<dim> nodes) {
+  void know_forces(const Nodes<dim>& nodes) {
     for (std::size_t n = 0; n < displacements_.size(); ++n)
       stress_ += 0.5 * (nodes[n].internal - forces_[n].internal).dot(displacements_[n]);
-    forces_ = std::move(nodes);
+    forces_ = nodes;
   }
   /// To be told after the nodes have got their displacements. `fixed`: as of the body.
   void know_displacements(const Nodes<dim>& nodes, const std::vector<PerAxis<bool, dim>>& fixed) {

@@ -19,7 +19,7 @@ struct Scattered {
   Body<Space> body;
   ExplicitStep<Space> step{body};
 
-  [[nodiscard]] Nodes<Space::dim> nodes() const { return step.nodes(); }
+  [[nodiscard]] Nodes<Space::dim> nodes() { return step.nodes(); }
 };
 
 template <class Space = TriangleSpace>

@@ -194,6 +194,51 @@ TYPED_TEST(KernelStepOf, IsThePlainStepToRoundOffOnGridsOfEveryShape) {
       expect_same_as_pointwise<TypeParam>({.integration = integration, .block = block}, ramped);
 }
 
+/// Of all nodes, by component and phase: the largest difference over the largest value.
+template <int dim>
+void expect_same_nodes(const auto& step, const auto& reference, std::vector<Vector<dim> NodeState<dim>::*> members) {
+  Nodes<dim> own, other;
+  step.read_nodes(own), reference.read_nodes(other);
+  ASSERT_EQ(own.size(), other.size());
+  double apart = 0, heaviest = 0;
+  for (std::size_t n = 0; n < own.size(); ++n) {
+    apart = std::max(apart, std::abs(own[n].mass - other[n].mass));
+    heaviest = std::max(heaviest, other[n].mass);
+  }
+  EXPECT_LT(apart, round_off * heaviest);
+  for (const auto member : members) {
+    double largest = 0, scale = 0;
+    for (std::size_t n = 0; n < own.size(); ++n) {
+      largest = std::max(largest, (own[n].*member - other[n].*member).norm());
+      scale = std::max(scale, (other[n].*member).norm());
+      EXPECT_EQ(step.node(static_cast<int>(n)).*member, own[n].*member);
+    }
+    EXPECT_LT(largest, round_off * scale);
+  }
+}
+
+/// Where strips meet, sums are in two places until they are completed.
+TYPED_TEST(KernelStepOf, NodesAreThoseOfThePlainStepInEveryPhaseOnGridsOfEveryShape) {
+  using State = NodeState<TypeParam::dim>;
+  for (const Block& block : every_shape<TypeParam>()) {
+    SCOPED_TRACE(testing::Message() << "block of " << block.columns << " x " << block.rows);
+    auto body = stirred_block<TypeParam>({.block = block}, 0.5);
+    auto plain = body;
+    KernelStep<TypeParam> step(body);
+    PointwiseStep<TypeParam> reference(plain);
+    const auto expect_same = [&](std::vector<Vector<TypeParam::dim> State::*> members) {
+      expect_same_nodes<TypeParam::dim>(step, reference, members);
+    };
+    step.scatter({}), reference.scatter({});
+    expect_same({&State::momentum, &State::internal, &State::external});
+    const double dt = step.stable_time_step(0.5);
+    step.accelerate(0.4), reference.accelerate(0.4);
+    expect_same({&State::acceleration});
+    step.displace(dt, dt), reference.displace(dt, dt);
+    expect_same({&State::displacement});
+  }
+}
+
 /// Sums of surfaces over the columns, and the surface that nobody has to sort for.
 TYPED_TEST(KernelStepOf, KnowsTheSurfaceOfEveryColumnWithoutSorting) {
   auto body = stirred_block<TypeParam>({.block = {.columns = 9, .rows = 60, .filled_rows = 59}}, 0.5);

@@ -71,7 +71,8 @@ public:
   void gather();
 
   [[nodiscard]] NodeState<dim> node(int node) const;
-  [[nodiscard]] Nodes<dim> nodes() const;
+  /// All nodes, as they are now; until the next call.
+  [[nodiscard]] const Nodes<dim>& nodes();
   /// Makes `move` follow a displacement that is given.
   void set_displacement(int node, const Vector<dim>& displacement);
 
