@@ -43,8 +43,8 @@ private:
   static constexpr double smallest_share = 1.0 / 3.0;
   /// Of a cell: what is smaller is round-off of the cutting.
   static constexpr double negligible_share = 1e-12;
-  /// With fewer points a cell could deform without resistance.
-  static constexpr std::size_t fewest_pieces = dim + 1;
+  /// With fewer points a cell could deform without resistance. In space two rows of those in the plane.
+  static constexpr std::size_t fewest_pieces = dim == 2 ? 3 : 6;
   static constexpr int finest_division = 8; ///< of a lattice square's side, for cells of which little is filled
 
   static double volume_of(double size) { return dim == 2 ? size * size : size * size * size; }

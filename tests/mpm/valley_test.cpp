@@ -1,5 +1,6 @@
 // A dam across a valley, from the case to the stages.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -106,13 +107,37 @@ std::vector<double> mirrored(const std::vector<double>& displacement, std::size_
   return other;
 }
 
+/// Sum of volume times displacement along an axis [m4].
+double moment(const exchange::Stage& stage, std::size_t axis) {
+  double sum = 0;
+  for (std::size_t p = 0; p < stage.points.size(); ++p)
+    sum += stage.points.volume[p] * stage.points.displacement[3 * p + axis];
+  return sum;
+}
+
+/// x, z and displacement of the points nearest to a plane y, in the order of their sections [m].
+std::vector<std::array<double, 4>> section_at(const exchange::Stage& stage, double y, double reach) {
+  std::vector<std::array<double, 4>> section;
+  const exchange::SamplePoints& points = stage.points;
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    const double* placed = &points.placed_position[3 * p];
+    const double* moved = &points.displacement[3 * p];
+    if (placed[1] > y && placed[1] < y + reach) section.push_back({placed[0], placed[2], moved[0], moved[2]});
+  }
+  std::sort(section.begin(), section.end(), [](const auto& a, const auto& b) {
+    return std::lround(1e6 * a[0]) != std::lround(1e6 * b[0]) ? a[0] < b[0] : a[1] < b[1];
+  });
+  return section;
+}
+
 } // namespace
 
 /// As drawn, the volume is that of the design to round-off; what holds the dam carries its weight.
 TEST(DamAcrossAValley, WeighsWhatItsVolumeDoesAndStandsOnFloorAndFlanks) {
   for (const Overrides& overrides :
        {Overrides{}, Overrides{"geometry.valley.bottom=0", "geometry.valley.slopes=[1.5, 0.7]", "mpm.element_size=0.2"},
-        Overrides{"geometry.embankment.slopes=[1.0, 0.0]", "mpm.basis=gimp"}}) {
+        Overrides{"geometry.embankment.slopes=[1.0, 0.0]", "mpm.basis=gimp",
+                  "mpm.quasi_static.linear_solver=direct"}}) {
     Overrides drawn = overrides;
     drawn.emplace_back("construction.convention=drop");
     const exchange::Case study = dam(drawn);
@@ -131,14 +156,17 @@ TEST(DamAcrossAValley, WeighsWhatItsVolumeDoesAndStandsOnFloorAndFlanks) {
   }
 }
 
+/// Probes and layers are fitted through so many nearest points, of which equal ones may lie on one side.
 TEST(DamAcrossAValley, IsSymmetricWhereItsDesignIs) {
+  const auto drawn = solved(dam({"construction.convention=drop"})).back();
+  EXPECT_LT(std::abs(moment(drawn, 0)) + std::abs(moment(drawn, 1)), 1e-6 * std::abs(moment(drawn, 2)));
   const auto stage = solved(dam()).back();
   const auto &across = stage.probes.at("across").displacement, &along = stage.probes.at("along").displacement;
-  EXPECT_LT(relative_difference(mirrored(across, 1), across), 1e-6);
-  EXPECT_LT(relative_difference(mirrored(along, 0), along), 1e-6);
+  EXPECT_LT(relative_difference(mirrored(across, 1), across), 1e-3);
+  EXPECT_LT(relative_difference(mirrored(along, 0), along), 1e-3);
 }
 
-/// Of the settlement of 2e-3 of the height.
+/// Settles by 1 % of its height. Probes are fits: they smooth where the surface is curved.
 TEST(DamAcrossAValley, PlacesLayersOnWhatHasSettledAndUpToTheirLevel) {
   const exchange::Case design = dam();
   const double second = density * exchange::layer_volume(design.geometry, 2);
@@ -152,31 +180,38 @@ TEST(DamAcrossAValley, PlacesLayersOnWhatHasSettledAndUpToTheirLevel) {
   const auto [level, mass_level] = top("level-up");
   EXPECT_NEAR(as_drawn, 1.0, 1e-12);
   EXPECT_NEAR(mass_as_drawn, second, 1e-12 * second);
-  EXPECT_NEAR(level, 1.0, 1e-9);
   const exchange::Stage first = solved(dam({"gravity=200.0"})).front();
   const double settled = -first.probes.at("axis").displacement.back();
   EXPECT_GT(settled, 0.003);
-  EXPECT_NEAR(floating, 1.0 - settled, 0.01 * settled);
+  EXPECT_NEAR(level, 1.0, 1e-3 * settled);
+  EXPECT_NEAR(floating, 1.0 - settled, 0.03 * settled);
   EXPECT_NEAR(mass_floating, second, 0.1 * (mass_level - second)) << "moved, not stretched";
   EXPECT_GT(mass_level, second * (1.0 + 0.2 * settled / 0.5)) << "settled most in the middle, not at the flanks";
   EXPECT_LT(mass_level, second * (1.0 + settled / 0.5));
 }
 
-/// Eight times as wide as high, between rough walls: in the middle they are not felt.
+/// Eight times as wide as high, between rough walls: in the middle they are not felt. Point by point, where both have
+/// the same points.
 TEST(DamAcrossAValley, IsItsSectionFarFromVerticalFlanks) {
-  const Overrides wide{"geometry.valley.bottom=8.0", "geometry.valley.slopes=[0.0, 0.0]"};
-  const auto body = solved(dam(wide));
-  const exchange::Case study = dam(wide);
-  exchange::Case section = study;
-  section.geometry.valley.reset();
-  section.geometry.depth = 0.5;
-  section.probes = {{"axis", {.from = {0.0, 0.0}, .to = {0.0, 1.0}, .points = 5}}};
-  const auto reference = solved(section);
+  const exchange::Case wide = dam({"geometry.valley.bottom=8.0", "geometry.valley.slopes=[0.0, 0.0]",
+                                   "geometry.embankment.slopes=[1.0, 1.0]", "construction.convention=drop"});
+  exchange::Case extruded = wide;
+  extruded.geometry.valley.reset();
+  extruded.geometry.depth = 0.5;
+  extruded.probes.clear();
+  const auto body = solved(wide), section = solved(extruded);
   for (std::size_t stage = 0; stage < 2; ++stage) {
-    EXPECT_LT(relative_difference(body[stage].probes.at("axis").displacement,
-                                  reference[stage].probes.at("axis").displacement),
-              1e-3);
-    EXPECT_NEAR(body[stage].mass, 16.0 * reference[stage].mass, 1e-3 * body[stage].mass);
+    const auto own = section_at(body[stage], 0.0, 0.125), reference = section_at(section[stage], 0.25, 0.125);
+    ASSERT_EQ(own.size(), reference.size());
+    std::vector<double> moved, reference_moved;
+    for (std::size_t i = 0; i < own.size(); ++i) {
+      ASSERT_NEAR(own[i][0], reference[i][0], 1e-9);
+      ASSERT_NEAR(own[i][1], reference[i][1], 1e-9);
+      moved.insert(moved.end(), {own[i][2], own[i][3]});
+      reference_moved.insert(reference_moved.end(), {reference[i][2], reference[i][3]});
+    }
+    EXPECT_LT(relative_difference(moved, reference_moved), 1e-3);
+    EXPECT_NEAR(body[stage].mass, 16.0 * section[stage].mass, 1e-10 * body[stage].mass);
   }
 }
 
