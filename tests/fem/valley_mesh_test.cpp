@@ -76,8 +76,10 @@ TEST(ValleyMesh, IsBoundedByFloorFlanksSlopesAndCrest) {
 }
 
 TEST(ValleyMesh, IsDividedInHalvesWhereTheSizeIsHalved) {
-  const std::size_t coarse = number_of_cells(dam({.element_size = 0.5}));
-  EXPECT_EQ(number_of_cells(dam({.element_size = 0.25})), 8 * coarse);
+  const auto cells = [](double size) {
+    return number_of_cells(dam({.element_size = size}, {"geometry.valley.bottom=2.0"}));
+  };
+  EXPECT_EQ(cells(0.25), 8 * cells(0.5));
 }
 
 TEST(ValleyMesh, HasNoMoreVerticesThanItsCellsShare) {

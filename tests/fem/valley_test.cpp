@@ -59,7 +59,7 @@ TEST(DamInAValleyAtFiniteStrain, IsBuiltUpToItsLevelWhereItIsToBe) {
   const auto& placed = level.back().probes.at("axis").placed_position;
   EXPECT_NEAR(placed.back(), 3.0, 1e-12);
   EXPECT_LT(floating.back().probes.at("axis").placed_position.back(), 2.95);
-  EXPECT_GT(level.back().mass_placed, 1.02 * design);
+  EXPECT_GT(level.back().mass_placed, 1.015 * design);
   EXPECT_NEAR(floating.back().mass_placed, design, 0.005 * design);
   for (const Stage& stage : level)
     EXPECT_NEAR(stage.base_reaction, stage.weight, 1e-9 * stage.weight);
@@ -68,7 +68,7 @@ TEST(DamInAValleyAtFiniteStrain, IsBuiltUpToItsLevelWhereItIsToBe) {
 /// Far from vertical flanks it is in plane strain. The meshes differ.
 TEST(WideDam, IsItsSectionInTheMiddle) {
   const exchange::Case wide =
-      dam({.element_size = 1.0}, {"geometry.valley={ bottom = 24.0, slopes = [0.0, 0.0] }", "fem.element=Q2"});
+      dam({.element_size = 1.0}, {"geometry.valley={ bottom = 18.0, slopes = [0.0, 0.0] }", "fem.element=Q2"});
   exchange::Case extruded = wide;
   extruded.geometry.valley.reset();
   extruded.geometry.depth = 1.0;
