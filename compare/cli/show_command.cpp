@@ -7,6 +7,7 @@
 #include "settle/compare/exact_column.hpp"
 #include "settle/exchange/case_io.hpp"
 #include "settle/exchange/plane_geometry.hpp"
+#include "settle/exchange/valley.hpp"
 
 namespace settle::compare::cli {
 namespace {
@@ -21,11 +22,16 @@ std::string exact_figures(const exchange::Case& study, exchange::Kinematics kine
                      column.base_stress(last) / 1e3, column.mean_density(last), column.surface_height(last));
 }
 
+std::string size_of_layer(const exchange::Geometry& geometry, int layer) {
+  if (geometry.valley) return fmt::format("{:.6g} m3", exchange::layer_volume(geometry, layer));
+  return fmt::format("{:.6g} m2", exchange::layer_area(geometry, layer));
+}
+
 std::string figures_of_body(const exchange::Case& study) {
   std::string text = fmt::format("# constrained modulus M = {:.6g} Pa\n# unit weight gamma_0 = {:.6g} N/m3\n",
                                  ColumnLaw(study.fill()).constrained_modulus(), study.fill().density * study.gravity);
   for (int layer = 1; layer <= study.construction.layers; ++layer)
-    text += fmt::format("# layer {}: {:.6g} m2\n", layer, exchange::layer_area(study.geometry, layer));
+    text += fmt::format("# layer {}: {}\n", layer, size_of_layer(study.geometry, layer));
   return text;
 }
 

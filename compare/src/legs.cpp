@@ -128,7 +128,8 @@ LegSamples matched_probes(const RunOutcome& run, const LegRequest& request) {
   const LegRegion region(run, request);
   LegSamples leg;
   for (std::size_t i = 0; i < values.size(); ++i) {
-    const double gap = std::hypot(values.x[i] - references.x[i], values.height[i] - references.height[i]);
+    const double gap = std::hypot(values.x[i] - references.x[i], values.y[i] - references.y[i],
+                                  values.height[i] - references.height[i]);
     if (values.layer[i] != references.layer[i] || !(gap <= tolerance)) {
       return nothing(fmt::format("probe {} is not the same material point for {} and {}", i + 1, request.value,
                                  request.reference));

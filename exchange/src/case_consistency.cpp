@@ -155,6 +155,13 @@ void check_place(const Check& check, const std::string& key, const Case& study, 
          .given = given,
          .allowed = {},
          .remedy = "leave it out"});
+  } else if (study.geometry.valley && check.region == Region::base) {
+    reading.complain(
+        {.where = study.where(key + ".region"),
+         .what = key + ".region is a band along lines of a section: a valley holds its body by flanks, too",
+         .given = "base",
+         .allowed = "whole, interior, surface",
+         .remedy = "leave it out"});
   } else if (over_fields && names_a_reference(check, study)) {
     reading.complain({.where = study.where(of),
                       .what = of + " compares two solvers at each other's points",

@@ -8,6 +8,7 @@
 #include "polygon_consistency.hpp"
 #include "settle/exchange/formulas.hpp"
 #include "settle/exchange/plane_geometry.hpp"
+#include "settle/exchange/valley.hpp"
 #include "stage_consistency.hpp"
 
 namespace settle::exchange {
@@ -59,6 +60,7 @@ void fill_dependent_defaults(Case& study) {
   }
   if (geometry.drawn()) fill_extent(geometry);
   const bool solid = geometry.dimension == 3;
+  if (geometry.valley) geometry.depth = valley_at(*geometry.valley, geometry.height).width();
   if (solid && !geometry.depth) geometry.depth = geometry.width;
   if (geometry.drawn()) return;
   for (auto& [name, line] : study.probes) {
@@ -102,6 +104,7 @@ std::string to_toml(const Case& study) {
   Case given = study; // without what is drawn from it
   given.geometry.polygons.clear();
   given.supports.clear();
+  if (given.geometry.valley) given.geometry.depth.reset();
   return document::to_toml(case_keys().write(given));
 }
 

@@ -48,6 +48,19 @@ KeyTable<Embankment> embankment_keys() {
   return keys;
 }
 
+KeyTable<Valley> valley_keys() {
+  KeyTable<Valley> keys("A valley that an embankment closes as a dam, in 3-D only, instead of `depth`: rough and rigid "
+                        "floor and flanks, the same all along x. y = 0 in the middle of the floor.");
+  keys.real("bottom", &Valley::bottom,
+            {.unit = "m", .range = at_least(0), .required = true, .doc = "width of the floor; 0: a V"});
+  keys.reals("slopes", &Valley::slopes,
+             {.range = at_least(0),
+              .count = {.least = 2, .most = 2},
+              .required = true,
+              .doc = "of the flanks towards -y and y, horizontal per vertical; 0: a vertical flank"});
+  return keys;
+}
+
 KeyTable<Geometry> geometry_keys() {
   KeyTable<Geometry> keys("The domain that is built up. Required.");
   keys.choice("shape", &Geometry::shape, {.required = true, .doc = "what is built"});
@@ -64,13 +77,14 @@ KeyTable<Geometry> geometry_keys() {
   keys.real("depth", &Geometry::depth,
             {.unit = "m",
              .range = above(0),
-             .left_out = "the width",
+             .left_out = "the width; in a valley that of the crest",
              .doc = "extent along y, in 3-D only; a drawn section is extruded along it"});
   keys.integer(
       "dimension", &Geometry::dimension,
       {.range = from_to(2, 3), .required = true, .doc = "2: plane strain, gravity along -y; 3: gravity along -z"});
   keys.table_array("polygon", &Geometry::polygons, polygon_keys());
   keys.table("embankment", &Geometry::embankment, embankment_keys());
+  keys.table("valley", &Geometry::valley, valley_keys());
   return keys;
 }
 
@@ -225,15 +239,18 @@ KeyTable<Fem> fem_keys() {
 
 KeyTable<Probes> probes_keys() {
   KeyTable<Probes> keys("A line of material points that every solver samples, vertical in a column; NAME is yours.");
-  const Count point{.least = plane, .most = plane};
+  const Count point{.least = plane, .most = plane + 1};
   keys.real("x", &Probes::x, {.unit = "m", .left_out = "the middle", .doc = "position of the line"});
   keys.real("y", &Probes::y, {.unit = "m", .left_out = "the middle", .doc = "position of the line, in 3-D only"});
   keys.integer("points_per_layer", &Probes::points_per_layer,
                {.range = at_least(2), .doc = "points in each layer of a column, both of its ends included"});
   keys.reals("from", &Probes::from,
-             {.unit = "m", .count = point, .left_out = "required for polygons", .doc = "`[x, y]` of one end"});
+             {.unit = "m",
+              .count = point,
+              .left_out = "required for polygons",
+              .doc = "`[x, y]` of one end; in a valley `[x, y, z]`"});
   keys.reals("to", &Probes::to,
-             {.unit = "m", .count = point, .left_out = "required for polygons", .doc = "`[x, y]` of the other end"});
+             {.unit = "m", .count = point, .left_out = "required for polygons", .doc = "likewise of the other end"});
   keys.integer("points", &Probes::points,
                {.range = at_least(2),
                 .left_out = "9",

@@ -95,6 +95,8 @@ std::string ListCodec<M>::allowed() const {
   std::string size;
   if (count_.most == count_.least) {
     size = fmt::format(" of {}", count_.least);
+  } else if (count_.most) {
+    size = fmt::format(" of {} to {}", count_.least, *count_.most);
   } else if (count_.least > 0) {
     size = fmt::format(" of at least {}", count_.least);
   }

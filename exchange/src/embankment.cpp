@@ -1,21 +1,13 @@
 #include "embankment.hpp"
 
+#include "settle/exchange/valley.hpp"
+
 namespace settle::exchange {
 namespace {
 
-/// Left and right end of the fill at a height above its base [m].
-struct Span {
-  double left, right;
-};
-
-Span span_at(const Embankment& fill, double height) {
-  const double below_crest = fill.height - height;
-  return {-0.5 * fill.crest - fill.slopes[0] * below_crest, 0.5 * fill.crest + fill.slopes[1] * below_crest};
-}
-
 Polygon layer_of_fill(const Embankment& fill, int layer, double lower, double upper) {
-  const Span base = span_at(fill, lower), top = span_at(fill, upper);
-  return {.layer = layer, .corners = {{base.left, lower}, {base.right, lower}, {top.right, upper}, {top.left, upper}}};
+  const Span base = fill_at(fill, lower), top = fill_at(fill, upper);
+  return {.layer = layer, .corners = {{base.from, lower}, {base.to, lower}, {top.to, upper}, {top.from, upper}}};
 }
 
 Support held(Held directions, std::vector<double> from, std::vector<double> to) {
@@ -24,8 +16,8 @@ Support held(Held directions, std::vector<double> from, std::vector<double> to) 
 
 /// Rectangles that share whole edges with the fill: under it, and beside what is under it.
 void draw_foundation(Case& study, const Embankment& fill) {
-  const Span toes = span_at(fill, 0.0);
-  const double left = toes.left - fill.foundation_left, right = toes.right + fill.foundation_right;
+  const Span toes = fill_at(fill, 0.0);
+  const double left = toes.from - fill.foundation_left, right = toes.to + fill.foundation_right;
   const double bottom = -fill.foundation_depth;
   const auto add = [&](double from, double to) {
     if (!(to > from)) return;
@@ -33,9 +25,9 @@ void draw_foundation(Case& study, const Embankment& fill) {
                                        .corners = {{from, bottom}, {to, bottom}, {to, 0.0}, {from, 0.0}},
                                        .material = fill.foundation_material});
   };
-  add(left, toes.left);
-  add(toes.left, toes.right);
-  add(toes.right, right);
+  add(left, toes.from);
+  add(toes.from, toes.to);
+  add(toes.to, right);
   study.supports = {held(Held::both, {left, bottom}, {right, bottom}), held(Held::x, {right, bottom}, {right, 0.0}),
                     held(Held::x, {left, 0.0}, {left, bottom})};
 }
@@ -50,8 +42,8 @@ void draw_embankment(Case& study) {
   const Embankment& fill = *study.geometry.embankment;
   const int ground = ground_layers(study.geometry), lifts = study.construction.layers - ground;
   study.geometry.polygons.clear();
-  const Span toes = span_at(fill, 0.0);
-  study.supports = {held(Held::both, {toes.left, 0.0}, {toes.right, 0.0})};
+  const Span toes = fill_at(fill, 0.0);
+  study.supports = {held(Held::both, {toes.from, 0.0}, {toes.to, 0.0})};
   if (ground == 1) draw_foundation(study, fill);
   for (int lift = 0; lift < lifts; ++lift)
     study.geometry.polygons.push_back(

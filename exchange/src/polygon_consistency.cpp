@@ -4,10 +4,12 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "embankment.hpp"
 #include "settle/exchange/plane_geometry.hpp"
 #include "settle/exchange/probe_points.hpp"
+#include "valley_consistency.hpp"
 
 namespace settle::exchange {
 namespace {
@@ -143,6 +145,23 @@ void require(bool holds, const Complaint& complaint, Reading& reading) {
   if (!holds) reading.complain(complaint);
 }
 
+/// Two coordinates in a section, three in a valley.
+bool check_ends(const Case& study, const std::string& key, const Probes& line, Reading& reading) {
+  const std::size_t coordinates = study.geometry.valley ? 3 : 2;
+  bool all = true;
+  for (const auto& [end, position] : {std::pair(".from", &line.from), std::pair(".to", &line.to)}) {
+    if (position->size() == coordinates) continue;
+    all = false;
+    reading.complain(
+        {.where = study.where(key + end),
+         .what = fmt::format("{}{} has {} coordinates", key, end, position->size()),
+         .given = fmt::format("{}", fmt::join(*position, ", ")),
+         .allowed = coordinates == 3 ? "[x, y, z]: the line runs through a valley" : "[x, y]: the section of the body",
+         .remedy = {}});
+  }
+  return all;
+}
+
 void check_line(const Case& study, const std::string& name, const Probes& line, Reading& reading) {
   const std::string key = "probes." + name;
   for (const char* of_columns : {"x", "y"})
@@ -157,10 +176,11 @@ void check_line(const Case& study, const std::string& name, const Probes& line, 
                       .remedy = {}});
     return;
   }
+  if (!check_ends(study, key, line, reading)) return;
   require(!probe_points(study, line).empty(),
           {.where = study.where(key + ".from"),
            .what = key + " does not meet any polygon",
-           .given = fmt::format("from ({}, {}) to ({}, {})", line.from[0], line.from[1], line.to[0], line.to[1]),
+           .given = fmt::format("from ({}) to ({})", fmt::join(line.from, ", "), fmt::join(line.to, ", ")),
            .allowed = "a line with at least one of its points in a polygon",
            .remedy = {}},
           reading);
@@ -189,7 +209,11 @@ void check_support(const Case& study, std::size_t number, Reading& reading) {
 
 void check_embankment(const Case& study, Reading& reading) {
   const Geometry& geometry = study.geometry;
-  if (geometry.shape != Shape::embankment) return refuse_key(study, "geometry.embankment", "embankment", reading);
+  if (geometry.shape != Shape::embankment) {
+    for (const char* key : {"geometry.embankment", "geometry.valley"})
+      refuse_key(study, key, "embankment", reading);
+    return;
+  }
   refuse_key(study, "geometry.polygon", "polygons", reading);
   refuse_key(study, "support", "polygons", reading);
   require(geometry.embankment.has_value(),
@@ -208,6 +232,7 @@ void check_embankment(const Case& study, Reading& reading) {
            .allowed = fmt::format("at least {}", ground + 1),
            .remedy = "the foundation is layer 1: count it too"},
           reading);
+  if (geometry.valley) check_valley(study, reading);
 }
 
 void check_shape(const Case& study, Reading& reading) {

@@ -87,6 +87,9 @@ private:
     if (entry.k0 && entry.action != Action::ground)
       refuse(".k0", " is for existing ground only", fmt::format("action = \"{}\"", name_of(entry.action)),
              "action = \"ground\"");
+    if (entry.k0 && study_.geometry.valley)
+      refuse(".k0", " is for level ground between upright sides", "a layer between the flanks of a valley",
+             "no k0: the ground comes to rest under its weight");
   }
 
   const Case& study_;

@@ -5,6 +5,7 @@
 
 #include "polygon_mesh.hpp"
 #include "settle/fem/requirements.hpp"
+#include "valley_mesh.hpp"
 
 namespace settle::fem {
 namespace {
@@ -49,27 +50,53 @@ void make_drawn(const exchange::Case& study, dealii::Triangulation<2>& mesh) {
   mesh.create_triangulation(vertices, ordered_cells(section), dealii::SubCellData());
 }
 
-/// The section in slices along y.
-void make_drawn(const exchange::Case& study, dealii::Triangulation<3>& mesh) {
-  const PlaneMesh section = mesh_polygons(study);
-  const unsigned slices = slices_along_depth(study);
-  const auto n_in_section = static_cast<unsigned>(section.vertices.size());
+/// A plane mesh from slice to slice.
+struct Slices {
+  const PlaneMesh& section;
+  unsigned count;
+  unsigned axis; ///< across the slices: 0 or 1
+};
+
+/// `position(slice, vertex)`: of a vertex of the plane where a slice begins.
+template <class Position>
+void stack(const Slices& slices, Position&& position, dealii::Triangulation<3>& mesh) {
+  const auto n_in_section = static_cast<unsigned>(slices.section.vertices.size());
   std::vector<dealii::Point<3>> vertices;
-  for (unsigned slice = 0; slice <= slices; ++slice)
-    for (const exchange::PlanePoint& vertex : section.vertices)
-      vertices.emplace_back(vertex[0], *study.geometry.depth * slice / slices, vertex[1]);
-  const std::vector<dealii::CellData<2>> plane = ordered_cells(section);
+  for (unsigned slice = 0; slice <= slices.count; ++slice)
+    for (const exchange::PlanePoint& vertex : slices.section.vertices)
+      vertices.push_back(position(slice, vertex));
+  const std::vector<dealii::CellData<2>> plane = ordered_cells(slices.section);
   std::vector<dealii::CellData<3>> cells;
-  for (unsigned slice = 0; slice < slices; ++slice)
+  for (unsigned slice = 0; slice < slices.count; ++slice)
     for (const dealii::CellData<2>& cell : plane) {
       cells.emplace_back();
       cells.back().material_id = cell.material_id;
       for (unsigned v = 0; v < 8; ++v) { // x, y, z of the unit cube: its bits
-        const unsigned across = v & 1U, along = (v >> 1U) & 1U, up = v >> 2U;
-        cells.back().vertices[v] = cell.vertices[across + 2 * up] + (slice + along) * n_in_section;
+        const unsigned in_plane = (v >> (1 - slices.axis)) & 1U, across = (v >> slices.axis) & 1U, up = v >> 2U;
+        cells.back().vertices[v] = cell.vertices[in_plane + 2 * up] + (slice + across) * n_in_section;
       }
     }
   mesh.create_triangulation(vertices, cells, dealii::SubCellData());
+}
+
+/// From one slope to the other: slices are thinner the higher they stand.
+void make_dam(const exchange::Case& study, dealii::Triangulation<3>& mesh) {
+  const PlaneMesh section = valley_section(study);
+  const auto position = [&](unsigned slice, const exchange::PlanePoint& vertex) {
+    return dealii::Point<3>(start_of_slice(study, slice, vertex[1]), vertex[0], vertex[1]);
+  };
+  stack({.section = section, .count = slices_across_valley(study), .axis = 0}, position, mesh);
+}
+
+/// The section in slices along y.
+void make_drawn(const exchange::Case& study, dealii::Triangulation<3>& mesh) {
+  if (study.geometry.valley) return make_dam(study, mesh);
+  const PlaneMesh section = mesh_polygons(study);
+  const unsigned slices = slices_along_depth(study);
+  const auto position = [&](unsigned slice, const exchange::PlanePoint& vertex) {
+    return dealii::Point<3>(vertex[0], *study.geometry.depth * slice / slices, vertex[1]);
+  };
+  stack({.section = section, .count = slices, .axis = 1}, position, mesh);
 }
 
 } // namespace

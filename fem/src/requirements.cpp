@@ -10,6 +10,7 @@
 #include "settle/exchange/fitting_size.hpp"
 #include "stage_requirements.hpp"
 #include "support_line.hpp"
+#include "valley_mesh.hpp"
 
 namespace settle::fem {
 namespace {
@@ -110,6 +111,7 @@ std::array<unsigned, 3> cells_along_axes(const exchange::Case& study) {
 
 std::size_t number_of_cells(const exchange::Case& study) {
   if (study.geometry.shape == exchange::Shape::point) return 0;
+  if (study.geometry.valley) return valley_section(study).cells.size() * slices_across_valley(study);
   if (study.geometry.drawn())
     return mesh_polygons(study).cells.size() * (study.geometry.dimension == 3 ? slices_along_depth(study) : 1);
   const std::array<unsigned, 3> along = cells_along_axes(study);

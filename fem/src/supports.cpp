@@ -7,6 +7,7 @@
 #include "mesh.hpp"
 #include "placement.hpp"
 #include "section.hpp"
+#include "settle/exchange/valley.hpp"
 #include "support_line.hpp"
 
 namespace settle::fem {
@@ -27,7 +28,7 @@ bool on_rollers(const Cell& cell, unsigned i) {
 template <int dim>
 Supports<dim>::Supports(const exchange::Case& study)
     : drawn_(study.geometry.drawn()), supports_(study.supports), slack_(drawn_ ? round_off(study.geometry) : 0.0),
-      depth_(study.geometry.depth.value_or(0.0)) {}
+      depth_(study.geometry.depth.value_or(0.0)), valley_(study.geometry.valley) {}
 
 template <int dim>
 std::vector<HeldDof> Supports<dim>::held_dofs(const std::vector<Cell>& placed,
@@ -63,6 +64,7 @@ std::vector<HeldDof> Supports<dim>::held_dofs(const std::vector<Cell>& placed,
 /// The first that holds a point of the polygons along an axis; nothing where none does.
 template <int dim>
 std::optional<std::size_t> Supports<dim>::support_at(const dealii::Point<dim>& designed, unsigned axis) const {
+  if (on_flank(designed)) return 0;
   const bool along_depth = dim == 3 && axis == 1; // no axis of the section: held with both of those
   const exchange::Held other_axis = axis == 0 ? exchange::Held::y : exchange::Held::x;
   const auto support = std::find_if(supports_.begin(), supports_.end(), [&](const exchange::Support& candidate) {
@@ -73,10 +75,17 @@ std::optional<std::size_t> Supports<dim>::support_at(const dealii::Point<dim>& d
   return static_cast<std::size_t>(support - supports_.begin());
 }
 
+template <int dim>
+bool Supports<dim>::on_flank(const dealii::Point<dim>& designed) const {
+  if (!valley_) return false;
+  const exchange::Span flanks = exchange::valley_at(*valley_, designed[dim - 1]);
+  return std::min(std::abs(designed[1] - flanks.from), std::abs(designed[1] - flanks.to)) <= slack_;
+}
+
 /// Plane strain: nothing leaves a body in space through its ends.
 template <int dim>
 bool Supports<dim>::on_end_wall(const dealii::Point<dim>& designed, unsigned axis) const {
-  return dim == 3 && axis == 1 && std::min(std::abs(designed[1]), std::abs(designed[1] - depth_)) <= slack_;
+  return dim == 3 && axis == 1 && !valley_ && std::min(std::abs(designed[1]), std::abs(designed[1] - depth_)) <= slack_;
 }
 
 template class Supports<2>;

@@ -22,7 +22,7 @@ struct HeldDof {
 };
 
 /// The supports of a case: of polygons those it lists, in space extruded along y, with rollers on both end walls; of a
-/// column rollers on all sides but the top.
+/// dam its base, which goes on up both flanks of the valley; of a column rollers on all sides but the top.
 template <int dim>
 class Supports {
 public:
@@ -38,12 +38,14 @@ public:
 
 private:
   [[nodiscard]] std::optional<std::size_t> support_at(const dealii::Point<dim>& designed, unsigned axis) const;
+  [[nodiscard]] bool on_flank(const dealii::Point<dim>& designed) const;
   [[nodiscard]] bool on_end_wall(const dealii::Point<dim>& designed, unsigned axis) const;
 
   bool drawn_;
   std::vector<exchange::Support> supports_;
   double slack_; ///< distance that is round-off [m]
   double depth_; ///< of a drawn body in space [m]
+  std::optional<exchange::Valley> valley_;
 };
 
 } // namespace settle::fem

@@ -76,7 +76,7 @@ private:
   std::unique_ptr<const Drive> drive_;
   std::vector<LayerPlacement> placements_; ///< of a column's layers
   std::vector<int> present_;               ///< layers that are drawn and there, the one placed last comes last
-  Design design_;
+  Design design_{study_};
   SurfaceLoads loads_;
 
   [[nodiscard]] bool is_explicit() const { return study_.mpm.scheme == exchange::Scheme::explicit_dynamic; }

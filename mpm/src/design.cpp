@@ -39,7 +39,7 @@ Scattered Design::layers(const Points<dim>& points, const std::vector<int>& laye
   for (std::size_t p = 0; p < points.size(); ++p) {
     if (std::find(layers.begin(), layers.end(), points.layer[p]) == layers.end()) continue;
     scattered.points.push_back(p);
-    scattered.places.push_back(place_of(points.id[p]));
+    scattered.places.push_back(looked_up(place_of(points.id[p])));
   }
   return scattered;
 }
@@ -53,15 +53,13 @@ PresentLayers<dim>::PresentLayers(const exchange::Case& study, const Design& des
 }
 
 template <int dim>
-Vector<2> PresentLayers<dim>::surface(const Vector<2>& place) const {
+Place PresentLayers<dim>::surface(const Place& place) const {
   const double slack = 1e-9 * (study_.geometry.width + study_.geometry.height);
-  const std::vector<int> there = exchange::layers_at(study_.geometry, {place[0], place[1]}, slack);
+  const std::vector<int> there = exchange::layers_at(study_.geometry, {place[0], place[2]}, slack);
   for (std::size_t i = layers_.size(); i-- > 0;) {
     if (std::find(there.begin(), there.end(), layers_[i]) == there.end()) continue;
-    const PlaneFit fit = fit_plane(scattered_[i], points_of_a_fit * points_in_a_row<dim>(study_), place);
-    return place + fit.sum([&](std::size_t p) -> Vector<2> {
-      return in_section<dim>(points_.position_of(p)) - design_.place_of(points_.id[p]);
-    });
+    const LinearFit fit = fit_linear(scattered_[i], points_of_a_fit<dim>(study_), design_.looked_up(place));
+    return place + fit.sum([&](std::size_t p) { return design_.move_to<dim>(points_.position_of(p), points_.id[p]); });
   }
   return place;
 }
@@ -77,7 +75,7 @@ LayerLift::LayerLift(const exchange::Case& study, int layer, const PresentLayers
   for (int i = 0; i <= parts; ++i) {
     const double x = std::min(first_ + i * step_, extent.highest[0]);
     const double foot = lower_side(study.geometry, layer, x);
-    base_.push_back(std::isnan(foot) ? Vector<2>(x, extent.lowest[1]) : below.surface({x, foot}));
+    base_.push_back(std::isnan(foot) ? Vector<2>(x, extent.lowest[1]) : section_of(below.surface({x, 0.0, foot})));
   }
 }
 

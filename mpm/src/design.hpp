@@ -16,6 +16,16 @@ Vector<2> in_section(const Vector<dim>& x) {
   return {x[0], x[dim - 1]};
 }
 
+inline Vector<2> section_of(const Place& place) {
+  return {place[0], place[2]};
+}
+
+/// Of a point of the body; in the plane y is 0.
+template <int dim>
+Place in_design(const Vector<dim>& x) {
+  return {x[0], dim == 3 ? x[1] : 0.0, x[dim - 1]};
+}
+
 /// So many points stand for a place of the section: one, in space a row of them along y.
 template <int dim>
 std::size_t points_in_a_row(const exchange::Case& study) {
@@ -24,13 +34,30 @@ std::size_t points_in_a_row(const exchange::Case& study) {
   return static_cast<std::size_t>(std::lround(deep) * std::lround(std::cbrt(*study.mpm.points_per_element)));
 }
 
-/// Places of points in the section as designed, by their identity: points change neither.
+/// What is fitted through: of a section, the rows at the nearest places.
+template <int dim>
+std::size_t points_of_a_fit(const exchange::Case& study) {
+  return study.geometry.valley ? points_of_a_solid_fit : points_of_a_plane_fit * points_in_a_row<dim>(study);
+}
+
+/// Places of points in the body as designed, by their identity: points change neither.
 class Design {
 public:
-  /// The next point that is added has this place [m].
-  void note(const Vector<2>& place) { places_.push_back(place); }
-  [[nodiscard]] const Vector<2>& place_of(std::uint64_t id) const { return places_[static_cast<std::size_t>(id - 1)]; }
-  /// The points of a layer, or of several, each at its place in the design.
+  explicit Design(const exchange::Case& study) : varies_along_y_(study.geometry.valley.has_value()) {}
+
+  /// The next point that is added has this place.
+  void note(const Place& place) { places_.push_back(place); }
+  [[nodiscard]] const Place& place_of(std::uint64_t id) const { return places_[static_cast<std::size_t>(id - 1)]; }
+  /// What a point has moved by since the design, up to where it was placed or is now [m].
+  template <int dim>
+  [[nodiscard]] Place move_to(const Vector<dim>& position, std::uint64_t id) const {
+    return in_design<dim>(position) - place_of(id);
+  }
+  /// Where to look for a place among those of layers: in the section, if the body is the same all along y.
+  [[nodiscard]] Place looked_up(const Place& place) const {
+    return {place[0], varies_along_y_ ? place[1] : 0.0, place[2]};
+  }
+  /// The points of a layer, or of several, each where its place is looked up.
   template <int dim>
   [[nodiscard]] Scattered layer(const Points<dim>& points, int layer) const {
     return layers(points, {layer});
@@ -39,7 +66,8 @@ public:
   [[nodiscard]] Scattered layers(const Points<dim>& points, const std::vector<int>& layers) const;
 
 private:
-  std::vector<Vector<2>> places_;
+  bool varies_along_y_;
+  std::vector<Place> places_;
 };
 
 /// Layers that are there, each with its points; the one placed last comes last.
@@ -51,7 +79,7 @@ public:
 
   /// Where the material point with this place in the design is now, on the surface of what lies there; the place itself
   /// where nothing does [m].
-  [[nodiscard]] Vector<2> surface(const Vector<2>& place) const;
+  [[nodiscard]] Place surface(const Place& place) const;
 
 private:
   const exchange::Case& study_;

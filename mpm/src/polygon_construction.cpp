@@ -9,6 +9,7 @@
 #include "settle/exchange/plane_geometry.hpp"
 #include "settle/mpm/polygon_fill.hpp"
 #include "settle/mpm/spaces.hpp"
+#include "valley_construction.hpp"
 
 namespace settle::mpm {
 namespace {
@@ -48,30 +49,101 @@ bool stands_for(const exchange::Support& support, const Vector<2>& node, double 
          share <= 1.0 + past_ends;
 }
 
-/// Calls `action` with each node, direction and support that holds it.
+template <int dim>
+bool is_held_by_valley(const exchange::Case& study, const Vector<dim>& node, double size) {
+  if constexpr (dim == 3)
+    if (study.geometry.valley) return is_beyond_flanks(*study.geometry.valley, node, size);
+  return false;
+}
+
+/// Calls `action` with each node, direction and support that holds it. The flanks of a valley are part of its base.
 template <class Space, class Action>
 void for_each_held(const exchange::Case& study, const Space& space, Action&& action) {
   for (int node = 0; node < space.n_nodes(); ++node)
     for (const exchange::Support& support : study.supports) {
-      if (!stands_for(support, in_section<Space::dim>(space.node_position(node)), space.size())) continue;
+      const auto position = space.node_position(node);
+      if (!is_held_by_valley<Space::dim>(study, position, space.size()) &&
+          !stands_for(support, in_section<Space::dim>(position), space.size()))
+        continue;
       if (support.held != exchange::Held::y) action(node, 0, support);
       if (Space::dim == 3 && support.held == exchange::Held::both) action(node, 1, support);
       if (support.held != exchange::Held::x) action(node, Space::dim - 1, support);
     }
 }
 
-[[noreturn]] void refuse_inverted(const exchange::Case& study, int layer, const Vector<2>& place,
-                                  const LayerLift::Spot& spot) {
+/// As the case has them: those of a section, or all three.
+std::vector<double> coordinates_of(const exchange::Case& study, const Place& place) {
+  if (study.geometry.valley) return {place[0], place[1], place[2]};
+  return {place[0], place[2]};
+}
+
+/// `ratio`: of the volume as placed to that as drawn.
+[[noreturn]] void refuse_inverted(const exchange::Case& study, int layer, const Place& place, double ratio) {
   throw exchange::InputError(
       {.where = study.where("construction.convention"),
-       .what =
-           fmt::format("layer {} has no room where ({:.4g}, {:.4g}) is drawn: what lies below has folded, or stands "
-                       "above the level of the layer",
-                       layer, place[0], place[1]),
-       .given = fmt::format("convention = \"{}\", {:.3g} times the area as drawn",
-                            exchange::name_of(study.construction.convention), spot.area_ratio),
+       .what = fmt::format("layer {} has no room where ({:.4g}) is drawn: what lies below has folded, or stands "
+                           "above the level of the layer",
+                           layer, fmt::join(coordinates_of(study, place), ", ")),
+       .given = fmt::format("convention = \"{}\", {:.3g} times the volume as drawn",
+                            exchange::name_of(study.construction.convention), ratio),
        .allowed = "a settled surface below the layer's level, without folds",
        .remedy = "use construction.convention = \"float\", thicker layers, or a stiffer material"});
+}
+
+/// A point to be placed, without position and volume.
+template <class Space>
+NewPoint<Space::dim> point_of(const exchange::Case& study, int layer, const Body<Space>& body) {
+  return {.layer = layer,
+          .density = study.material_of(layer).density,
+          .preconsolidation_pressure = body.preconsolidation_of(layer)};
+}
+
+/// Rows of points along y of a section, or the section itself.
+template <class Space>
+void place_section(const exchange::Case& study, int layer, const PresentLayers<Space::dim>& below, Design& design,
+                   Body<Space>& body) {
+  constexpr int dim = Space::dim;
+  const Lattice<2> lattice{in_section<dim>(body.space.origin()), body.space.size(), body.layout.row_points};
+  const LayerLift lift(study, layer, below, lattice.spacing());
+  NewPoint<dim> point = point_of(study, layer, body);
+  for (const exchange::Polygon& polygon : study.geometry.polygons) {
+    if (polygon.layer != layer) continue;
+    for (const Piece<2>& piece : cut_polygon(polygon, lattice)) {
+      const LayerLift::Spot spot = lift.spot(piece.centroid);
+      Place place(piece.centroid[0], 0.0, piece.centroid[1]);
+      if (!(spot.area_ratio > 0.0)) refuse_inverted(study, layer, place, spot.area_ratio);
+      const double area = piece.volume * spot.area_ratio;
+      point.volume = dim == 2 ? area : area * lattice.spacing();
+      point.half_lengths = Vector<dim>::Constant(0.5 * std::sqrt(area));
+      point.position[0] = spot.position[0], point.position[dim - 1] = spot.position[1];
+      if constexpr (dim == 3) point.half_lengths[1] = 0.5 * lattice.spacing();
+      for (std::size_t row = 0; row < points_in_a_row<dim>(study); ++row) {
+        if constexpr (dim == 3) {
+          point.position[1] = body.space.origin()[1] + (static_cast<double>(row) + 0.5) * lattice.spacing();
+          place[1] = point.position[1];
+        }
+        design.note(place);
+        body.points.add(point);
+      }
+    }
+  }
+}
+
+template <class Space>
+void place_in_valley(const exchange::Case& study, int layer, const PresentLayers<3>& below, Design& design,
+                     Body<Space>& body) {
+  const Lattice<3> lattice{body.space.origin(), body.space.size(), body.layout.row_points};
+  const ValleyLift lift(study, layer, below, lattice.size);
+  NewPoint<3> point = point_of(study, layer, body);
+  for (const Piece<3>& piece : cut_dam(study.geometry, levels_of_layer(study.geometry, layer), lattice)) {
+    const ValleyLift::Spot spot = lift.spot(piece.centroid);
+    if (!(spot.volume_ratio > 0.0)) refuse_inverted(study, layer, piece.centroid, spot.volume_ratio);
+    point.position = spot.position;
+    point.volume = piece.volume * spot.volume_ratio;
+    point.half_lengths = Vector<3>::Constant(0.5 * std::cbrt(point.volume));
+    design.note(piece.centroid);
+    body.points.add(point);
+  }
 }
 
 } // namespace
@@ -80,7 +152,12 @@ template <int dim>
 GridBox<dim> grid_around(const exchange::Case& study) {
   const exchange::PlaneBox box = extent_with_supports(study);
   GridBox<dim> grid{.counts = {}, .size = study.mpm.element_size};
-  if constexpr (dim == 3) grid.counts[1] = static_cast<int>(std::lround(*study.geometry.depth / grid.size));
+  if constexpr (dim == 3) {
+    if (study.geometry.valley)
+      span_valley(study.geometry, grid);
+    else
+      grid.counts[1] = static_cast<int>(std::lround(*study.geometry.depth / grid.size));
+  }
   for (std::size_t axis = 0; axis < 2; ++axis) {
     int& count = axis == 0 ? grid.counts[0] : grid.counts.back();
     grid.origin[axis == 0 ? 0 : dim - 1] = box.lowest[axis];
@@ -98,7 +175,8 @@ template <class Space>
 std::vector<PerAxis<bool, Space::dim>> polygon_supports(const exchange::Case& study, const Space& space) {
   std::vector<PerAxis<bool, Space::dim>> fixed(static_cast<std::size_t>(space.n_nodes()));
   const auto& numbering = space.node_numbering();
-  for (int node = 0; Space::dim == 3 && node < space.n_nodes(); ++node) {
+  const bool has_end_walls = Space::dim == 3 && !study.geometry.valley;
+  for (int node = 0; has_end_walls && node < space.n_nodes(); ++node) {
     const int slice = numbering.index(node)[1];
     fixed[static_cast<std::size_t>(node)][1] = slice == 0 || slice == numbering.counts[1] - 1;
   }
@@ -125,31 +203,10 @@ std::vector<FollowingNode> following_nodes(const exchange::Case& study, const Sp
 template <class Space>
 void place_polygons(const exchange::Case& study, int layer, const std::vector<int>& present, Design& design,
                     Body<Space>& body) {
-  constexpr int dim = Space::dim;
-  const Lattice lattice{in_section<dim>(body.space.origin()), body.space.size(), body.layout.row_points};
-  const LayerLift lift(study, layer, PresentLayers<dim>(study, design, body.points, present), lattice.spacing());
-  const double density = study.material_of(layer).density;
-  for (const exchange::Polygon& polygon : study.geometry.polygons) {
-    if (polygon.layer != layer) continue;
-    for (const Piece& piece : cut_polygon(polygon, lattice)) {
-      const LayerLift::Spot spot = lift.spot(piece.centroid);
-      if (!(spot.area_ratio > 0.0)) refuse_inverted(study, layer, piece.centroid, spot);
-      const double area = piece.area * spot.area_ratio;
-      NewPoint<dim> point{.layer = layer,
-                          .volume = dim == 2 ? area : area * lattice.spacing(),
-                          .density = density,
-                          .preconsolidation_pressure = body.preconsolidation_of(layer),
-                          .half_lengths = Vector<dim>::Constant(0.5 * std::sqrt(area))};
-      point.position[0] = spot.position[0], point.position[dim - 1] = spot.position[1];
-      if constexpr (dim == 3) point.half_lengths[1] = 0.5 * lattice.spacing();
-      for (std::size_t row = 0; row < points_in_a_row<dim>(study); ++row) {
-        if constexpr (dim == 3)
-          point.position[1] = body.space.origin()[1] + (static_cast<double>(row) + 0.5) * lattice.spacing();
-        design.note(piece.centroid);
-        body.points.add(point);
-      }
-    }
-  }
+  const PresentLayers<Space::dim> below(study, design, body.points, present);
+  if constexpr (Space::dim == 3)
+    if (study.geometry.valley) return place_in_valley(study, layer, below, design, body);
+  place_section(study, layer, below, design, body);
 }
 
 template <class Space>

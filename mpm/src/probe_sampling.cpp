@@ -17,6 +17,14 @@ struct Row {
   int count = 0;
 };
 
+template <int dim>
+Vector<dim> placed_of(const Points<dim>& points, std::size_t p) {
+  Vector<dim> placed;
+  for (std::size_t d = 0; d < dim; ++d)
+    placed[static_cast<int>(d)] = points.placed[d][p];
+  return placed;
+}
+
 /// Points of a layer that were placed with it.
 template <int dim>
 std::vector<std::size_t> own_points(const Points<dim>& points, int layer) {
@@ -116,15 +124,14 @@ std::map<std::string, exchange::ProbeSamples> sample_drawn_probes(const exchange
     for (const auto& probe : exchange::probe_points(study, line)) {
       const auto layer = layers.find(probe.layer);
       if (layer == layers.end()) continue;
-      const Vector<2> place(probe.x, probe.design_height);
-      const PlaneFit fit = fit_plane(layer->second, points_of_a_fit * points_in_a_row<dim>(study), place);
-      const Vector<2> moved_before = fit.sum([&](std::size_t p) -> Vector<2> {
-        return Vector<2>(points.placed[0][p], points.placed[dim - 1][p]) - design.place_of(points.id[p]);
-      });
+      const Place place = design.looked_up({probe.x, probe.y, probe.design_height});
+      const LinearFit fit = fit_linear(layer->second, points_of_a_fit<dim>(study), place);
+      const Place moved_before =
+          fit.sum([&](std::size_t p) { return design.move_to<dim>(placed_of(points, p), points.id[p]); });
       Vector<dim> placed;
-      placed[0] = place[0] + moved_before[0];
-      if constexpr (dim == 3) placed[1] = probe.y;
-      placed[dim - 1] = place[1] + moved_before[1];
+      placed[0] = probe.x + moved_before[0];
+      if constexpr (dim == 3) placed[1] = probe.y + moved_before[1];
+      placed[dim - 1] = probe.design_height + moved_before[2];
       add<dim>(probe, placed, fit.sum([&](std::size_t p) { return sampled_values(points, p); }), own);
     }
   }

@@ -190,8 +190,8 @@ void require_threads(const exchange::Case& study) {
                               .remedy = fmt::format("set mpm.threads = {}", most)});
 }
 
-/// A section is extruded by whole elements, and nothing loads it but weight.
-void require_extrusion_that_fits(const exchange::Case& study) {
+/// A section is extruded by whole elements.
+void require_depth_that_fits(const exchange::Case& study) {
   const double depth = *study.geometry.depth, deep = depth / study.mpm.element_size;
   const double slices = std::max(1.0, std::round(deep));
   if (std::abs(deep - slices) > 1e-6 * slices)
@@ -200,13 +200,19 @@ void require_extrusion_that_fits(const exchange::Case& study) {
                                 .given = fmt::format("{:g} m with elements of {:g} m", depth, study.mpm.element_size),
                                 .allowed = "whole elements from one end wall to the other",
                                 .remedy = fmt::format("set geometry.depth = {:g}", slices * study.mpm.element_size)});
+}
+
+/// Nothing loads a body in space but weight.
+void require_no_loads(const exchange::Case& study) {
   for (std::size_t number = 0; number < study.stages.size(); ++number)
     if (study.stages[number].action == exchange::Action::load)
       throw exchange::InputError({.where = study.where(fmt::format("stage.{}.action", number)),
                                   .what = "settle-mpm loads surfaces in the plane only",
                                   .given = "action = \"load\" with geometry.dimension = 3",
                                   .allowed = "\"ground\", \"place\", \"remove\", \"hold\"",
-                                  .remedy = "set geometry.dimension = 2: the section is the same"});
+                                  .remedy = study.geometry.valley
+                                                ? "leave the stage out"
+                                                : "set geometry.dimension = 2: the section is the same"});
 }
 
 /// Along the extrusion full cells distribute their force by other shares than points feel it.
@@ -231,7 +237,9 @@ void require_polygons_that_fit(const exchange::Case& study) {
          .given = fmt::format("mpm.element = {}", quoted(study.mpm.element)),
          .allowed = quoted(*box),
          .remedy = fmt::format("set mpm.element = {}", quoted(*box))});
-  if (study.geometry.dimension == 3) require_extrusion_that_fits(study);
+  const bool is_solid = study.geometry.dimension == 3;
+  if (is_solid && !study.geometry.valley) require_depth_that_fits(study);
+  if (is_solid) require_no_loads(study);
   require_splines_that_rest(study);
   require_stages_that_fit(study);
   if (study.mpm.scheme == exchange::Scheme::quasi_static) return;

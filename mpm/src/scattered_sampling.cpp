@@ -20,7 +20,7 @@ SampledValues<dim> sampled_values(const Points<dim>& points, std::size_t p) {
 template SampledValues<2> sampled_values(const Points<2>&, std::size_t);
 template SampledValues<3> sampled_values(const Points<3>&, std::size_t);
 
-PlaneFit fit_plane(const Scattered& among, std::size_t count, const Vector<2>& place) {
+LinearFit fit_linear(const Scattered& among, std::size_t count, const Place& place) {
   std::vector<std::pair<double, std::size_t>> nearest;
   for (std::size_t i = 0; i < among.points.size(); ++i)
     nearest.emplace_back((among.places[i] - place).squaredNorm(), i);
@@ -28,18 +28,18 @@ PlaneFit fit_plane(const Scattered& among, std::size_t count, const Vector<2>& p
   std::partial_sort(nearest.begin(), nearest.begin() + static_cast<std::ptrdiff_t>(count), nearest.end());
   nearest.resize(count);
   const double reach = 1.1 * std::sqrt(nearest.back().first);
-  PlaneFit fit;
-  Eigen::MatrixXd plane(count, 3);
-  for (Eigen::Index i = 0; i < plane.rows(); ++i) {
+  LinearFit fit;
+  Eigen::MatrixXd linear(count, 4);
+  for (Eigen::Index i = 0; i < linear.rows(); ++i) {
     const std::size_t which = nearest[static_cast<std::size_t>(i)].second;
-    const Vector<2> offset = (among.places[which] - place) / reach;
+    const Place offset = (among.places[which] - place) / reach;
     const double weight = 1.0 - offset.squaredNorm();
-    plane.row(i) << weight, weight * offset[0], weight * offset[1];
+    linear.row(i) << weight, weight * offset.transpose();
     fit.points.push_back(among.points[which]);
   }
-  // the least norm where the points lie on a line: no slope across it
-  fit.weights = plane.completeOrthogonalDecomposition().pseudoInverse().row(0).transpose();
-  fit.weights = fit.weights.cwiseProduct(plane.col(0));
+  // the least norm where the points lie on a line or plane: no slope across it
+  fit.weights = linear.completeOrthogonalDecomposition().pseudoInverse().row(0).transpose();
+  fit.weights = fit.weights.cwiseProduct(linear.col(0));
   return fit;
 }
 

@@ -25,8 +25,8 @@ template <int dim>
 std::map<std::string, exchange::ProbeSamples> sample_probes(const exchange::Case& study, const Points<dim>& points,
                                                             const std::vector<LayerPlacement>& placements);
 
-/// The case's probes across polygons of the layers that are present: planes through the nearest points of the layer, by
-/// their places in the section: in space the mean of rows along y.
+/// The case's probes across polygons of the layers that are present: linear functions through the nearest points of the
+/// layer, by their places in the section: in space the mean of rows along y; in a valley by their places in the body.
 template <int dim>
 std::map<std::string, exchange::ProbeSamples> sample_drawn_probes(const exchange::Case& study,
                                                                   const Points<dim>& points, const Design& design,

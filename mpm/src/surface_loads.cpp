@@ -10,9 +10,9 @@ namespace {
 constexpr double parts_per_spacing = 4.0;
 /// The points in the cell of the one that is nearest to the place: what they carry goes to the nodes of that cell, so
 /// that an even load on the whole side of a cell comes to its nodes as it should.
-Scattered in_the_nearest_cell(const Scattered& points, const Points<2>& all, const Vector<2>& place) {
+Scattered in_the_nearest_cell(const Scattered& points, const Points<2>& all, const Place& place) {
   const auto nearest =
-      std::min_element(points.places.begin(), points.places.end(), [&](const Vector<2>& a, const Vector<2>& b) {
+      std::min_element(points.places.begin(), points.places.end(), [&](const Place& a, const Place& b) {
         return (a - place).squaredNorm() < (b - place).squaredNorm();
       });
   const std::int32_t cell = all.cell[points.points[static_cast<std::size_t>(nearest - points.places.begin())]];
@@ -36,12 +36,13 @@ void SurfaceLoads::add(const exchange::StageEntry& entry, const Scattered& point
   std::vector<Vector<2>>& forces = forces_.emplace_back();
   for (int part = 0; part < parts; ++part) {
     const Vector<2> middle = from + (part + 0.5) / parts * (to - from);
-    const Scattered carriers = in_the_nearest_cell(points, all, middle);
-    const PlaneFit fit = fit_plane(carriers, carriers.points.size(), middle);
+    const Place place(middle[0], 0.0, middle[1]);
+    const Scattered carriers = in_the_nearest_cell(points, all, place);
+    const LinearFit fit = fit_linear(carriers, carriers.points.size(), place);
     for (std::size_t i = 0; i < fit.points.size(); ++i) {
-      const auto place = static_cast<std::size_t>(all.id[fit.points[i]] - 1);
-      if (forces.size() <= place) forces.resize(place + 1, Vector<2>::Zero());
-      forces[place] += fit.weights[static_cast<Eigen::Index>(i)] * length / parts * traction;
+      const auto number = static_cast<std::size_t>(all.id[fit.points[i]] - 1);
+      if (forces.size() <= number) forces.resize(number + 1, Vector<2>::Zero());
+      forces[number] += fit.weights[static_cast<Eigen::Index>(i)] * length / parts * traction;
     }
   }
 }

@@ -1,7 +1,5 @@
 #include "difference_chart.hpp"
 
-#include <cmath>
-
 #include <fmt/format.h>
 
 #include "curve_styles.hpp"
@@ -9,6 +7,7 @@
 #include "settle/compare/exact_solution.hpp"
 #include "settle/compare/statistics.hpp"
 #include "settle/exchange/errors.hpp"
+#include "settle/exchange/probe_points.hpp"
 
 namespace settle::compare::report {
 
@@ -142,9 +141,10 @@ Chart difference_chart(const RunOutcome& run, const std::string& line, Quantity 
   Chart chart = chart_of({run, quantity, line});
   const exchange::Probes& probes = run.study.probes.at(line);
   chart.title = fmt::format("{}: differences along probes.{}", axis_of(quantity).title, line);
-  const double length = std::hypot(probes.to[0] - probes.from[0], probes.to[1] - probes.from[1]);
-  chart.y = {
-      .lowest = 0.0, .highest = 1.02 * length, .title = fmt::format("Distance along probes.{}", line), .unit = "m"};
+  chart.y = {.lowest = 0.0,
+             .highest = 1.02 * exchange::length_of(probes),
+             .title = fmt::format("Distance along probes.{}", line),
+             .unit = "m"};
   return chart;
 }
 

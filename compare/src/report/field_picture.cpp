@@ -7,6 +7,7 @@
 
 #include "field_difference.hpp"
 #include "format.hpp"
+#include "settle/exchange/valley.hpp"
 
 namespace settle::compare::report {
 
@@ -45,7 +46,7 @@ struct Drawable {
 /// Points whose volume reaches the middle of the depth; all of them in 2-D.
 bool is_in_cut(const Case& study, const exchange::SamplePoints& points, std::size_t i) {
   if (study.geometry.dimension == 2) return true;
-  const double middle = 0.5 * study.geometry.depth.value_or(study.geometry.width);
+  const double middle = exchange::middle_of_depth(study.geometry);
   return std::abs(points.position[3 * i + 1] - middle) <= 0.75 * std::cbrt(points.volume[i]);
 }
 
@@ -130,7 +131,8 @@ void add_remarks(const RunOutcome& run, FieldPicture& picture) {
     picture.remarks.emplace_back("Points that were added to make up for settlement are drawn too; theirs counts from "
                                  "when they were added.");
   if (run.study.geometry.dimension == 3)
-    picture.remarks.emplace_back("A vertical cut: the points whose volume reaches the middle of the depth.");
+    picture.remarks.emplace_back(
+        "A vertical cut: the points whose volume reaches the middle of the depth, of a valley that of its floor.");
 }
 
 } // namespace

@@ -17,10 +17,6 @@ using exchange::Case;
 using exchange::CheckStages;
 using exchange::Quantity;
 
-double length_of(const exchange::Probes& line) {
-  return std::hypot(line.to[0] - line.from[0], line.to[1] - line.from[1]);
-}
-
 /// One segment a layer, and a new one where the line leaves a layer and comes back: where a distance is more than
 /// `largest_gap` [m] from the one before it. A vector or tensor is drawn by its norm.
 Profile profile_of(const FieldSamples& samples, const exchange::Probes& line, Quantity quantity, double largest_gap) {
@@ -33,7 +29,8 @@ Profile profile_of(const FieldSamples& samples, const exchange::Probes& line, Qu
       for (std::size_t c = 0; c < count; ++c)
         value = std::hypot(value, samples.value[i * count + c]);
     }
-    const double distance = std::hypot(samples.x[i] - line.from[0], samples.height[i] - line.from[1]);
+    const double distance =
+        exchange::distance_from_start(line, {.x = samples.x[i], .y = samples.y[i], .design_height = samples.height[i]});
     const bool joined = i > 0 && samples.layer[i] == samples.layer[i - 1] &&
                         std::abs(distance - profile.back().back().height) <= largest_gap;
     if (!joined) profile.emplace_back();

@@ -207,16 +207,23 @@ struct Embankment {
   std::string foundation_material{}; ///< empty: that of the construction
 };
 
+/// What an embankment closes as a dam: a valley along x with a level floor, y = 0 in the middle of it.
+struct Valley {
+  double bottom = 0.0;          ///< width of the floor along y; 0: none [m]
+  std::vector<double> slopes{}; ///< (2) of the flanks towards -y and y, horizontal per vertical [-]
+};
+
 /// The domain that is built up.
 struct Geometry {
   Shape shape = Shape::column;
-  double height = 0.0; ///< design height H [m]; set by `read_case` to the extent of polygons
-  double width = 0.0;  ///< [m]; likewise
-  std::optional<double>
-      depth{};       ///< third dimension [m]; set by `read_case` to the width where a 3-D case leaves it out
-  int dimension = 2; ///< 2 (plane strain) or 3
-  std::vector<Polygon> polygons{};        ///< `[[geometry.polygon]]`; of an embankment made by `read_case`
+  double height = 0.0;             ///< design height H [m]; set by `read_case` to the extent of polygons
+  double width = 0.0;              ///< [m]; likewise
+  std::optional<double> depth{};   ///< third dimension [m]; set by `read_case` to the width where a 3-D case leaves it
+                                   ///< out, in a valley to the extent of the crest
+  int dimension = 2;               ///< 2 (plane strain) or 3
+  std::vector<Polygon> polygons{}; ///< `[[geometry.polygon]]`; of an embankment made by `read_case`
   std::optional<Embankment> embankment{}; ///< `[geometry.embankment]`, with the shape `embankment` only
+  std::optional<Valley> valley{};         ///< `[geometry.valley]`, of an embankment in 3-D only
 
   /// Does the body consist of polygons?
   [[nodiscard]] bool drawn() const { return shape == Shape::polygons || shape == Shape::embankment; }
@@ -346,7 +353,7 @@ struct Probes {
   std::optional<double> x{};        ///< [m]; set by `read_case` to the middle of the column where left out
   std::optional<double> y{};        ///< [m]; 3-D only, likewise
   int points_per_layer = 9;         ///< of a column, both ends of the layer included
-  std::vector<double> from{}, to{}; ///< (2) ends of the line across polygons [m]; empty in a column
+  std::vector<double> from{}, to{}; ///< (2), in a valley (3), ends of the line across polygons [m]; empty in a column
   std::optional<int> points{};      ///< of the line across polygons, both ends included; none: 9
 };
 

@@ -17,7 +17,14 @@ struct ProbePoint {
 };
 
 /// The points of one line, layer by layer; in a column from below, both ends of each layer included; across polygons
-/// from one end of the line to the other, in every layer that holds the point.
+/// from one end of the line to the other, in every layer that holds the point. A body in space is probed in the middle
+/// of its depth, in a valley wherever the line runs.
 std::vector<ProbePoint> probe_points(const Case& study, const Probes& line);
+
+/// From one end of a line across polygons to the other [m].
+double length_of(const Probes& line);
+
+/// From the start of a line across polygons to a point; y counts in a valley only [m].
+double distance_from_start(const Probes& line, const ProbePoint& point);
 
 } // namespace settle::exchange

@@ -10,10 +10,11 @@
 
 namespace settle::mpm {
 
-/// Square cells of side `size`, one of them with its lower left corner at `origin`, each to be filled by
-/// `per_side` x `per_side` points [m].
+/// Square or cubic cells of side `size`, one of them with its lowest corner at `origin`, each to be filled by
+/// `per_side` points along each axis [m].
+template <int dim>
 struct Lattice {
-  Vector<2> origin;
+  Vector<dim> origin;
   double size = 0;
   int per_side = 1;
 
@@ -21,9 +22,10 @@ struct Lattice {
 };
 
 /// What a material point stands for.
+template <int dim>
 struct Piece {
-  Vector<2> centroid; ///< [m]
-  double area = 0;    ///< [m2]
+  Vector<dim> centroid; ///< [m]
+  double volume = 0;    ///< [m3], in the plane an area [m2]
 };
 
 /// The pieces into which a lattice cuts a convex polygon, cell by cell, row by row from below (Sutherland & Hodgman
@@ -32,6 +34,6 @@ struct Piece {
 /// cell are joined to their neighbours, so that no point is much lighter than the rest. A cell that the polygon cuts
 /// gets at least three pieces, by a finer lattice if need be: a quadrilateral with fewer points could deform without
 /// resistance.
-std::vector<Piece> cut_polygon(const exchange::Polygon& polygon, const Lattice& lattice);
+std::vector<Piece<2>> cut_polygon(const exchange::Polygon& polygon, const Lattice<2>& lattice);
 
 } // namespace settle::mpm

@@ -14,15 +14,19 @@ using SampledValues = Eigen::Matrix<double, dim + static_cast<int>(stress_size<d
 template <int dim>
 SampledValues<dim> sampled_values(const Points<dim>& points, std::size_t p);
 
-/// Some material points, each with a place of its own [m].
+/// Where a point is drawn: x, y and the height [m]. y is 0 in the plane, and wherever what is sampled is the same all
+/// along it.
+using Place = Vector<3>;
+
+/// Some material points, each with a place of its own.
 struct Scattered {
   std::vector<std::size_t> points;
-  std::vector<Vector<2>> places;
+  std::vector<Place> places;
 };
 
 /// What a field has at a place: the sum of weight x value at these points. Exact for linear fields; constant across a
-/// line where all points lie on one.
-struct PlaneFit {
+/// line or plane where all points lie on one.
+struct LinearFit {
   std::vector<std::size_t> points;
   Eigen::VectorXd weights;
 
@@ -36,10 +40,10 @@ struct PlaneFit {
   }
 };
 
-/// Enough for a plane in any arrangement of a lattice, few enough to stay local.
-inline constexpr std::size_t points_of_a_fit = 12;
+/// Enough for a linear function in any arrangement of a lattice, in the plane and in space, few enough to stay local.
+inline constexpr std::size_t points_of_a_plane_fit = 12, points_of_a_solid_fit = 32;
 
-/// A plane through the nearest `count` points by least squares, with weights that fall with the distance.
-PlaneFit fit_plane(const Scattered& among, std::size_t count, const Vector<2>& place);
+/// A linear function through the nearest `count` points by least squares, with weights that fall with the distance.
+LinearFit fit_linear(const Scattered& among, std::size_t count, const Place& place);
 
 } // namespace settle::mpm
