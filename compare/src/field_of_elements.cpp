@@ -4,13 +4,12 @@
 #include <limits>
 #include <map>
 
+#include "bins.hpp"
 #include "element_points.hpp"
 #include "field_interpolation.hpp"
-#include "plane_bins.hpp"
 
 namespace settle::compare {
 
-using exchange::PlaneBox;
 using exchange::PlanePoint;
 
 namespace {
@@ -57,8 +56,9 @@ double outside(const PlanePoint& unit) {
 }
 
 /// Around an element and what is in its reach.
-PlaneBox box_around(const UnitCorners& corners) {
-  PlaneBox box{.lowest = corners[0], .highest = corners[0]};
+Box box_around(const UnitCorners& corners) {
+  const auto& [x, height] = corners[0];
+  Box box{.lowest = {x, height}, .highest = {x, height}};
   for (const PlanePoint& corner : corners) {
     for (std::size_t d = 0; d < 2; ++d) {
       box.lowest[d] = std::min(box.lowest[d], corner[d]);
@@ -81,7 +81,7 @@ public:
     for (std::size_t i = 0; i < samples.size(); ++i)
       positions.insert(positions.end(), {samples.x[i], samples.height[i]});
     const auto count = static_cast<std::size_t>(along_edge) * static_cast<std::size_t>(along_edge);
-    std::map<int, std::vector<PlaneBox>> boxes;
+    std::map<int, std::vector<Box>> boxes;
     for (std::size_t first = 0; first < samples.size(); first += count) {
       const int layer = samples.layer[first];
       elements_[layer].push_back({first, corners_of_element(positions, first, along_edge)});
@@ -98,7 +98,7 @@ public:
     const Element* nearest = nullptr;
     PlanePoint there{};
     double least = reach;
-    for (const std::size_t e : bins->second.near({.lowest = point, .highest = point})) {
+    for (const std::size_t e : bins->second.near({.lowest = {point[0], point[1]}, .highest = {point[0], point[1]}})) {
       const Element& element = elements_.at(layer)[e];
       const auto unit = unit_of(element.corners, point);
       if (!unit || outside(*unit) > least) continue;
@@ -120,7 +120,7 @@ private:
   std::size_t components_;
   std::vector<double> value_;
   std::map<int, std::vector<Element>> elements_; ///< by layer
-  std::map<int, PlaneBins> bins_;                ///< of the elements of each layer
+  std::map<int, Bins> bins_;                     ///< of the elements of each layer
 };
 
 } // namespace

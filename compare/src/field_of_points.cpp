@@ -5,13 +5,10 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "bins.hpp"
 #include "field_interpolation.hpp"
-#include "plane_bins.hpp"
 
 namespace settle::compare {
-
-using exchange::PlaneBox;
-using exchange::PlanePoint;
 
 namespace {
 
@@ -57,10 +54,10 @@ class FieldOfPoints : public InterpolatedField {
 public:
   FieldOfPoints(const FieldSamples& samples, int dimension)
       : samples_(samples), dimension_(dimension), neighbours_(neighbours_in(dimension)) {
-    std::map<int, std::vector<PlaneBox>> boxes;
+    std::map<int, std::vector<Box>> boxes;
     for (std::size_t i = 0; i < samples.size(); ++i) {
-      const PlanePoint at{samples.x[i], samples.height[i]};
-      if (!std::isfinite(at[0] + at[1] + samples.y[i])) continue;
+      const FieldPlace at{samples.x[i], samples.height[i], samples.y[i]};
+      if (!std::isfinite(at[0] + at[1] + at[2])) continue;
       index_[samples.layer[i]].push_back(i);
       boxes[samples.layer[i]].push_back({.lowest = at, .highest = at});
     }
@@ -92,14 +89,14 @@ private:
 
   /// Ordered by distance; of as many as there are.
   [[nodiscard]] std::vector<Near> nearest_to(int layer, const FieldPlace& point) const {
-    const PlaneBins& bins = bins_.at(layer);
+    const Bins& bins = bins_.at(layer);
     const std::vector<std::size_t>& index = index_.at(layer);
     const std::size_t wanted = std::min(neighbours_, index.size());
     std::vector<Near> found;
     for (double around = std::max(2.0 * bins.edge(), 1e-300);; around *= 2.0) {
       found.clear();
-      const PlaneBox box{.lowest = {point[0] - around, point[1] - around},
-                         .highest = {point[0] + around, point[1] + around}};
+      const Box box{.lowest = {point[0] - around, point[1] - around, point[2] - around},
+                    .highest = {point[0] + around, point[1] + around, point[2] + around}};
       for (const std::size_t k : bins.near(box))
         found.push_back({offset(index[k], point).norm(), index[k]});
       std::sort(found.begin(), found.end(), [](const Near& a, const Near& b) {
@@ -134,7 +131,7 @@ private:
   int dimension_;
   std::size_t neighbours_;                        ///< to which a function is fitted
   std::map<int, std::vector<std::size_t>> index_; ///< of the points of each layer
-  std::map<int, PlaneBins> bins_;                 ///< of the same
+  std::map<int, Bins> bins_;                      ///< of the same
 };
 
 } // namespace

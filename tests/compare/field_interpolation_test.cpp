@@ -10,14 +10,13 @@
 
 #include <gmock/gmock.h>
 
+#include "bins.hpp"
 #include "free_surface.hpp"
 #include "perfect_body.hpp"
-#include "plane_bins.hpp"
 
 namespace settle::compare::test {
 namespace {
 
-using exchange::PlaneBox;
 using exchange::PlanePoint;
 
 void add(FieldSamples& samples, double x, double y, double value, int layer = 1, double area = 0.25) {
@@ -92,23 +91,53 @@ TEST(FieldOfPoints, InSpaceALinearFieldIsMetAndReachIsMeasuredInEdgesOfCubes) {
   EXPECT_FALSE(field->at(1, {1.0, 1.0, 2.8}));
 }
 
-TEST(PlaneBins, FindAllThatABoxTouches) {
+bool touch(const Box& one, const Box& other) {
+  for (std::size_t d = 0; d < 3; ++d)
+    if (one.lowest[d] > other.highest[d] || other.lowest[d] > one.highest[d]) return false;
+  return true;
+}
+
+/// `flat`: by how much of their extent along the other two axes they lie apart along the third.
+void expect_all_found(double flat) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> place(-3.0, 5.0), size(0.0, 0.7);
-  std::vector<PlaneBox> boxes;
-  for (int i = 0; i < 200; ++i) {
-    const PlanePoint at{place(random), 0.2 * place(random)};
-    boxes.push_back({.lowest = at, .highest = {at[0] + size(random), at[1] + size(random)}});
-  }
-  const PlaneBins bins(boxes);
+  const auto some_box = [&](double spread) {
+    Box box{.lowest = {spread * place(random), 0.2 * spread * place(random), spread * flat * place(random)}};
+    for (std::size_t d = 0; d < 3; ++d)
+      box.highest[d] = box.lowest[d] + size(random) * (d == 2 ? flat : 1.0);
+    return box;
+  };
+  std::vector<Box> boxes;
+  for (int i = 0; i < 200; ++i)
+    boxes.push_back(some_box(1.0));
+  const Bins bins(boxes);
   for (int trial = 0; trial < 100; ++trial) {
-    const PlanePoint at{2.0 * place(random), place(random)};
-    const PlaneBox box{.lowest = at, .highest = {at[0] + size(random), at[1] + size(random)}};
+    const Box box = some_box(2.0);
     const auto found = bins.near(box);
-    for (std::size_t i = 0; i < boxes.size(); ++i) {
-      const bool touches = boxes[i].lowest[0] <= box.highest[0] && box.lowest[0] <= boxes[i].highest[0] &&
-                           boxes[i].lowest[1] <= box.highest[1] && box.lowest[1] <= boxes[i].highest[1];
-      EXPECT_TRUE(!touches || std::find(found.begin(), found.end(), i) != found.end());
+    for (std::size_t i = 0; i < boxes.size(); ++i)
+      EXPECT_TRUE(!touch(boxes[i], box) || std::find(found.begin(), found.end(), i) != found.end());
+  }
+}
+
+TEST(Bins, FindAllThatABoxTouchesInThePlaneAndInSpace) {
+  for (const double flat : {0.0, 1e-9, 0.3, 1.0})
+    expect_all_found(flat);
+}
+
+/// A thousand bins however the things lie: neither all in one, nor many more bins than things.
+TEST(Bins, HoldAboutOneThingEachWhetherThingsFillALineAPlaneOrABox) {
+  for (const auto& counts : {std::array<int, 3>{1000, 1, 1}, {40, 25, 1}, {1, 40, 25}, {10, 10, 10}, {100, 5, 2}}) {
+    std::vector<Box> boxes;
+    for (int i = 0; i < counts[0] * counts[1] * counts[2]; ++i) {
+      const Box box{
+          .lowest = {1.0 * (i % counts[0]), 1.0 * (i / counts[0] % counts[1]), 1.0 * (i / (counts[0] * counts[1]))}};
+      boxes.push_back({.lowest = box.lowest, .highest = box.lowest});
+    }
+    const Bins bins(boxes);
+    for (const Box& box : boxes) {
+      const auto found = bins.near(box).size();
+      EXPECT_GE(found, 1U);
+      EXPECT_LE(found, 8U);
     }
   }
 }
