@@ -242,7 +242,8 @@ TEST(FieldPicture, TakesWhatComesInNoElementsByItsPoints) {
   EXPECT_FALSE(picture.difference.has_value());
 }
 
-TEST(FieldPicture, IsACutThroughTheMiddleInThreeDimensions) {
+/// Four points one behind the other; stress of them is their y [kPa].
+FieldPicture picture_of_a_row(double volume) {
   RunOutcome run = finished_run("run", {.layers = 1});
   run.study.geometry.dimension = 3;
   run.study.geometry.depth = 1.0;
@@ -260,13 +261,20 @@ TEST(FieldPicture, IsACutThroughTheMiddleInThreeDimensions) {
     points.displacement.insert(points.displacement.end(), {0.0, 0.0, -y});
     points.stress.insert(points.stress.end(), {0.0, 5.0, -1e3 * y, 0.0, 0.0, 0.0});
     points.density.push_back(1720.0);
-    points.volume.push_back(0.25 * 0.25 * 0.25);
+    points.volume.push_back(volume);
   }
-  const FieldPicture picture = field_picture_of(run, Quantity::vertical_stress);
-  ASSERT_EQ(picture.legs[0].spots.size(), 2U);
-  EXPECT_NEAR(picture.scale.lowest, 0.375, 1e-12);
-  EXPECT_NEAR(picture.scale.highest, 0.625, 1e-12);
-  EXPECT_THAT(picture.remarks, Contains(HasSubstr("A vertical cut")));
+  return field_picture_of(run, Quantity::vertical_stress);
+}
+
+/// Also where points stand for bars across the cut, thinner than their distance from it.
+TEST(FieldPicture, IsACutThroughTheMiddleInThreeDimensions) {
+  for (const double volume : {0.25 * 0.25 * 0.25, 0.01 * 0.01 * 0.25}) {
+    const FieldPicture picture = picture_of_a_row(volume);
+    ASSERT_EQ(picture.legs[0].spots.size(), 2U);
+    EXPECT_NEAR(picture.scale.lowest, 0.375, 1e-12);
+    EXPECT_NEAR(picture.scale.highest, 0.625, 1e-12);
+    EXPECT_THAT(picture.remarks, Contains(HasSubstr("A vertical cut")));
+  }
 }
 
 TEST(FieldPicture, OfASlenderBodyIsDrawnWiderAndSaysSo) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include <fmt/format.h>
 
@@ -43,21 +44,42 @@ struct Drawable {
   std::size_t without_value = 0, far_off = 0;
 };
 
-/// Points whose volume reaches the middle of the depth; all of them in 2-D.
-bool is_in_cut(const Case& study, const exchange::SamplePoints& points, std::size_t i) {
-  if (study.geometry.dimension == 2) return true;
-  const double middle = exchange::middle_of_depth(study.geometry);
-  return std::abs(points.position[3 * i + 1] - middle) <= 0.75 * std::cbrt(points.volume[i]);
-}
+/// A vertical cut through the middle of a body in space; in 2-D it holds all points.
+class Cut {
+public:
+  Cut(const Case& study, const exchange::SamplePoints& points)
+      : points_(points), is_plane_(study.geometry.dimension == 2), middle_(exchange::middle_of_depth(study.geometry)) {
+    for (std::size_t i = 0; !is_plane_ && i < points.size(); ++i) {
+      const auto [layer, is_first] = nearest_.try_emplace(points.layer[i], distance(i));
+      layer->second = std::min(layer->second, distance(i));
+    }
+  }
+
+  /// Does its volume reach the cut, or is it among the nearest of its layer, as where elements are long across it?
+  [[nodiscard]] bool holds(std::size_t i) const {
+    constexpr double same_row = 2.0; // the next row is further off by more than this factor
+    return is_plane_ ||
+           distance(i) <= std::max(0.75 * std::cbrt(points_.volume[i]), same_row * nearest_.at(points_.layer[i]));
+  }
+
+private:
+  [[nodiscard]] double distance(std::size_t i) const { return std::abs(points_.position[3 * i + 1] - middle_); }
+
+  const exchange::SamplePoints& points_;
+  bool is_plane_;
+  double middle_;
+  std::map<int, double> nearest_; ///< distance of the nearest point of a layer [m]
+};
 
 Drawable drawable(const Case& study, const exchange::SamplePoints& points, Quantity quantity) {
   const auto dim = static_cast<std::size_t>(study.geometry.dimension);
   const double factor = axis_of(quantity).factor;
   const double size_of_cube = 1.0 / static_cast<double>(dim);
   const PlaneBox view = widest_view(study);
+  const Cut cut(study, points);
   Drawable found;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    if (!is_in_cut(study, points, i)) continue;
+    if (!cut.holds(i)) continue;
     const PlanePoint at{points.position[dim * i], points.position[dim * i + dim - 1]};
     const double value = factor * value_at(points, dim, i, quantity);
     // Half the diagonal of its square: neighbours on a square lattice touch all round.
@@ -132,7 +154,7 @@ void add_remarks(const RunOutcome& run, FieldPicture& picture) {
                                  "when they were added.");
   if (run.study.geometry.dimension == 3)
     picture.remarks.emplace_back(
-        "A vertical cut: the points whose volume reaches the middle of the depth, of a valley that of its floor.");
+        "A vertical cut: the points nearest to the middle of the depth, of a valley to that of its floor.");
 }
 
 } // namespace
