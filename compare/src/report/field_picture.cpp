@@ -50,8 +50,8 @@ public:
   Cut(const Case& study, const exchange::SamplePoints& points)
       : points_(points), is_plane_(study.geometry.dimension == 2), middle_(exchange::middle_of_depth(study.geometry)) {
     for (std::size_t i = 0; !is_plane_ && i < points.size(); ++i) {
-      const auto [layer, is_first] = nearest_.try_emplace(points.layer[i], distance(i));
-      layer->second = std::min(layer->second, distance(i));
+      double& nearest = nearest_.try_emplace(points.layer[i], distance(i)).first->second;
+      nearest = std::min(nearest, distance(i));
     }
   }
 
