@@ -9,11 +9,11 @@
 #include <gtest/gtest.h>
 
 #include "settle/exchange/case_io.hpp"
-#include "settle/exchange/errors.hpp"
 #include "settle/exchange/valley.hpp"
-#include "settle/mpm/solver.hpp"
+#include "solved_body.hpp"
 
 using namespace settle;
+using namespace mpm::test;
 using testing::HasSubstr;
 
 namespace {
@@ -72,32 +72,6 @@ points = 7
                               "dam.toml", overrides);
 }
 
-std::vector<exchange::Stage> solved(const exchange::Case& study) {
-  std::vector<exchange::Stage> stages;
-  mpm::solve(study, [&](const exchange::Stage& stage) { stages.push_back(stage); });
-  return stages;
-}
-
-/// Relative difference in the Euclidean norm.
-double relative_difference(const std::vector<double>& value, const std::vector<double>& reference) {
-  EXPECT_EQ(value.size(), reference.size());
-  double sum = 0, scale = 0;
-  for (std::size_t i = 0; i < reference.size(); ++i) {
-    sum += std::pow(value[i] - reference[i], 2);
-    scale += std::pow(reference[i], 2);
-  }
-  return std::sqrt(sum / scale);
-}
-
-std::string refusal_of(const exchange::Case& study) {
-  try {
-    static_cast<void>(solved(study));
-  } catch (const exchange::InputError& error) {
-    return error.what();
-  }
-  return {};
-}
-
 /// The displacements of a line, from its end to its start, one component turned round.
 std::vector<double> mirrored(const std::vector<double>& displacement, std::size_t turned) {
   std::vector<double> other;
@@ -141,7 +115,7 @@ TEST(DamAcrossAValley, WeighsWhatItsVolumeDoesAndStandsOnFloorAndFlanks) {
     Overrides drawn = overrides;
     drawn.emplace_back("construction.convention=drop");
     const exchange::Case study = dam(drawn);
-    const auto stages = solved(study);
+    const auto stages = stages_of(study);
     double mass = 0.0;
     for (int layer = 1; layer <= 2; ++layer) {
       const exchange::Stage& stage = stages.at(static_cast<std::size_t>(layer - 1));
@@ -158,9 +132,9 @@ TEST(DamAcrossAValley, WeighsWhatItsVolumeDoesAndStandsOnFloorAndFlanks) {
 
 /// Probes and layers are fitted through so many nearest points, of which equal ones may lie on one side.
 TEST(DamAcrossAValley, IsSymmetricWhereItsDesignIs) {
-  const auto drawn = solved(dam({"construction.convention=drop"})).back();
+  const auto drawn = stages_of(dam({"construction.convention=drop"})).back();
   EXPECT_LT(std::abs(moment(drawn, 0)) + std::abs(moment(drawn, 1)), 1e-6 * std::abs(moment(drawn, 2)));
-  const auto stage = solved(dam()).back();
+  const auto stage = stages_of(dam()).back();
   const auto &across = stage.probes.at("across").displacement, &along = stage.probes.at("along").displacement;
   EXPECT_LT(relative_difference(mirrored(across, 1), across), 1e-3);
   EXPECT_LT(relative_difference(mirrored(along, 0), along), 1e-3);
@@ -171,7 +145,7 @@ TEST(DamAcrossAValley, PlacesLayersOnWhatHasSettledAndUpToTheirLevel) {
   const exchange::Case design = dam();
   const double second = density * exchange::layer_volume(design.geometry, 2);
   const auto top = [&](const std::string& convention) {
-    const exchange::Stage stage = solved(dam({"construction.convention=" + convention, "gravity=200.0"})).back();
+    const exchange::Stage stage = stages_of(dam({"construction.convention=" + convention, "gravity=200.0"})).back();
     const exchange::ProbeSamples& axis = stage.probes.at("axis");
     return std::pair(axis.placed_position.back(), stage.mass_placed);
   };
@@ -180,7 +154,7 @@ TEST(DamAcrossAValley, PlacesLayersOnWhatHasSettledAndUpToTheirLevel) {
   const auto [level, mass_level] = top("level-up");
   EXPECT_NEAR(as_drawn, 1.0, 1e-12);
   EXPECT_NEAR(mass_as_drawn, second, 1e-12 * second);
-  const exchange::Stage first = solved(dam({"gravity=200.0"})).front();
+  const exchange::Stage first = stages_of(dam({"gravity=200.0"})).front();
   const double settled = -first.probes.at("axis").displacement.back();
   EXPECT_GT(settled, 0.003);
   EXPECT_NEAR(level, 1.0, 1e-3 * settled);
@@ -199,7 +173,7 @@ TEST(DamAcrossAValley, IsItsSectionFarFromVerticalFlanks) {
   extruded.geometry.valley.reset();
   extruded.geometry.depth = 0.5;
   extruded.probes.clear();
-  const auto body = solved(wide), section = solved(extruded);
+  const auto body = stages_of(wide), section = stages_of(extruded);
   for (std::size_t stage = 0; stage < 2; ++stage) {
     const auto own = section_at(body[stage], 0.0, 0.125), reference = section_at(section[stage], 0.25, 0.125);
     ASSERT_EQ(own.size(), reference.size());
@@ -216,8 +190,8 @@ TEST(DamAcrossAValley, IsItsSectionFarFromVerticalFlanks) {
 }
 
 TEST(DamAcrossAValley, ComesToTheSameRestExplicitly) {
-  const auto quasi_static = solved(dam());
-  const auto in_time = solved(dam({"mpm.scheme=explicit"}));
+  const auto quasi_static = stages_of(dam());
+  const auto in_time = stages_of(dam({"mpm.scheme=explicit"}));
   const auto &value = in_time.back().probes.at("axis"), &reference = quasi_static.back().probes.at("axis");
   EXPECT_LT(relative_difference(value.displacement, reference.displacement), 2e-3);
   EXPECT_NEAR(in_time.back().base_reaction, in_time.back().weight, 1e-4 * in_time.back().weight);
@@ -225,7 +199,7 @@ TEST(DamAcrossAValley, ComesToTheSameRestExplicitly) {
 
 TEST(DamAcrossAValley, IsWithoutItsLastLayerWhatItWasBefore) {
   const std::string stages = "[[stage]]\nlayer = 1\n[[stage]]\nlayer = 2\n[[stage]]\naction = \"remove\"\nlayer = 2\n";
-  const auto states = solved(dam({"material.fill.youngs_modulus=4e9"}, stages));
+  const auto states = stages_of(dam({"material.fill.youngs_modulus=4e9"}, stages));
   EXPECT_NEAR(states[2].mass, states[0].mass, 1e-12 * states[0].mass);
   EXPECT_LT(relative_difference(states[2].probes.at("axis").displacement, states[0].probes.at("axis").displacement),
             1e-4);
@@ -235,6 +209,6 @@ TEST(DamAcrossAValley, IsOfHexahedraAndItsSurfaceIsNotLoaded) {
   const std::string stages = "[[stage]]\nlayer = 1\n[[stage]]\nlayer = 2\n";
   const std::string load =
       "[[stage]]\naction = \"load\"\nfrom = [0.5, 1.0]\nto = [-0.5, 1.0]\ntraction = [0.0, -1e3]\n";
-  EXPECT_THAT(refusal_of(dam({"mpm.element=tetrahedron"})), HasSubstr("hexahedron"));
-  EXPECT_THAT(refusal_of(dam({}, stages + load)), HasSubstr("leave the stage out"));
+  EXPECT_THAT(complaint_about(dam({"mpm.element=tetrahedron"})), HasSubstr("hexahedron"));
+  EXPECT_THAT(complaint_about(dam({}, stages + load)), HasSubstr("leave the stage out"));
 }
