@@ -1,7 +1,6 @@
 # Every library the project uses, as Debian ships it. Targets settle::hdf5 and settle::dealii wrap the two HDF5 builds.
 
 find_package(Threads REQUIRED)
-find_package(OpenMP REQUIRED COMPONENTS CXX)
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 find_package(fmt REQUIRED)
 find_package(CLI11 REQUIRED)

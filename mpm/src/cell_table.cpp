@@ -33,16 +33,21 @@ void count(const std::vector<std::int32_t>& cells, std::size_t n_cells, CellTabl
 
 } // namespace
 
+std::vector<std::uint32_t> order_by_cell(const std::vector<std::int32_t>& cells, std::size_t n_cells,
+                                         CellTable& table) {
+  count(cells, n_cells, table);
+  std::vector<std::uint32_t> next(table.begin.begin(), table.begin.end() - 1);
+  std::vector<std::uint32_t> order(cells.size());
+  for (std::uint32_t p = 0; p < order.size(); ++p)
+    order[next[static_cast<std::size_t>(cells[p])]++] = p;
+  return order;
+}
+
 template <class Space>
 void sort_by_cell(const Space& space, Points<Space::dim>& points, CellTable& table) {
   const bool moved = locate_all(space, points);
   if (!moved && !table.begin.empty() && table.begin.back() == points.size()) return;
-  count(points.cell, static_cast<std::size_t>(space.n_cells()), table);
-  std::vector<std::uint32_t> next(table.begin.begin(), table.begin.end() - 1);
-  std::vector<std::uint32_t> order(points.size());
-  for (std::uint32_t p = 0; p < points.size(); ++p)
-    order[next[static_cast<std::size_t>(points.cell[p])]++] = p;
-  points.permute(order);
+  points.permute(order_by_cell(points.cell, static_cast<std::size_t>(space.n_cells()), table));
   ++table.sorts;
 }
 

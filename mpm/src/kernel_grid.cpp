@@ -109,7 +109,7 @@ void KernelStep<Space>::allocate_scratch() {
   step_.n_nodes = rounded_up(size_of(step_.strip_rows * step_.node_columns) + last, apart) + lanes;
   const Size block = rounded_up(size_of(phases_.block), lanes), cells = size_of(phases_.quantities) * step_.stride;
   const Size nodes = size_of(step_.n_node_arrays) * step_.n_nodes;
-  for (Size thread = scratch_.size(); thread < size_of(crew_.size()); ++thread) {
+  for (Size thread = scratch_.size(); thread < size_of(shares_.threads()); ++thread) {
     scratch_.emplace_back(block + cells + nodes + lanes, 0.0);
     double* first = aligned(scratch_.back());
     scratch_of_.push_back({.block = first, .cells = first + block, .nodes = first + block + cells});
@@ -133,7 +133,7 @@ void KernelStep<Space>::take_stock() {
       note(s, body_.points.layer[p]);
   }
   const auto useful = static_cast<int>(std::max<Size>(1, body_.points.size() / points_per_thread));
-  crew_.divide(weights, std::min(threads_, useful));
+  shares_ = shares_by_weight(weights, std::min(threads_, useful));
   allocate_scratch();
   point_to_points();
 }

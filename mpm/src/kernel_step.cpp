@@ -97,7 +97,7 @@ void KernelStep<Space>::scatter(const Gravity& gravity) {
   activate_strips();
   for (Size s = 0; s < strays_.size(); ++s)
     stray_arrays_[s] = strays_[s].arrays();
-  crew_.run([&](int strip, int thread) {
+  crew_.run(shares_, [&](int strip, int thread) {
     if (strip < step_.n_strips && touched_[size_of(strip)] != 0)
       phases_.scatter(step_, strip, scratch_of_[size_of(thread)]);
   });
@@ -126,7 +126,7 @@ std::vector<double> KernelStep<Space>::column_heights() const {
 template <class Space>
 ForceSums KernelStep<Space>::accelerate(double damping) {
   step_.damping = damping;
-  crew_.run([&](int strip, int) {
+  crew_.run(shares_, [&](int strip, int) {
     if (is_active(strip)) phases_.accelerate(step_, strip);
   });
   nodes_complete_ = true;
@@ -142,7 +142,7 @@ ForceSums KernelStep<Space>::accelerate(double damping) {
 template <class Space>
 StepEnergy KernelStep<Space>::displace(double kick, double dt, double kept) {
   step_.kick = kick, step_.dt = dt, step_.kept = kept;
-  crew_.run([&](int strip, int) {
+  crew_.run(shares_, [&](int strip, int) {
     if (is_active(strip)) phases_.displace(step_, strip);
   });
   StepEnergy energy;
@@ -155,7 +155,7 @@ StepEnergy KernelStep<Space>::displace(double kick, double dt, double kept) {
 
 template <class Space>
 void KernelStep<Space>::move() {
-  crew_.run([&](int strip, int thread) {
+  crew_.run(shares_, [&](int strip, int thread) {
     if (strip < step_.n_strips && touched_[size_of(strip)] != 0)
       phases_.move(step_, strip, scratch_of_[size_of(thread)]);
   });

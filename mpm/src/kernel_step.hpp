@@ -79,6 +79,7 @@ private:
   const kernel::Phases& phases_;
   int threads_;
   Crew crew_;
+  Shares shares_; ///< of the strips
   kernel::Step step_{};
   std::uint64_t sorts_ = 0; ///< of the body, as known here
   bool nodes_complete_ = false;
@@ -119,6 +120,7 @@ private:
   void clear_nodes(int strip);
   void note(Size strip, std::int32_t layer);
   void sort_out_crossings();
+  void sort_by_known_cells();
   bool take_stray(Size p);
   void move_stray(Size tile, Size i);
   [[nodiscard]] int locate(const Vector<dim>& x, Size p) const;

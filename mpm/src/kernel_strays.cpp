@@ -6,7 +6,7 @@ namespace settle::mpm {
 
 namespace {
 
-constexpr int most_stray_share = 32; ///< points are sorted once more than 1/32 of them have strayed
+constexpr int most_stray_share = 16; ///< points are sorted once more than 1/16 of them have strayed
 constexpr int least_strays = 8;      ///< or more than these, in small bodies
 
 } // namespace
@@ -17,9 +17,18 @@ void KernelStep<Space>::gather() {
     for (auto& strays : strays_)
       strays.bring_home(body_.points);
     n_strays_ = 0;
-    body_.sort();
+    sort_by_known_cells();
   }
   if (sorts_ != body_.cells.sorts) take_stock();
+}
+
+/// All other points are still where they were sorted to.
+template <class Space>
+void KernelStep<Space>::sort_by_known_cells() {
+  const auto order = order_by_cell(body_.points.cell, size_of(body_.space.n_cells()), body_.cells);
+  crew_.run(equal_shares(Points<dim>::n_arrays, shares_.threads()),
+            [&](int array, int) { body_.points.permute_array(array, order); });
+  ++body_.cells.sorts;
 }
 
 /// Other laws, forces by point and averages are told of points by their place; there points are sorted at once.

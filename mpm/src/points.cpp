@@ -1,17 +1,17 @@
 #include "settle/mpm/points.hpp"
 
 #include <cmath>
+#include <ranges>
 
 namespace settle::mpm {
 
 namespace {
 
 template <class T>
-void permute_array(std::vector<T>& values, const std::vector<std::uint32_t>& order) {
-  std::vector<T> permuted(order.size());
-  for (std::size_t i = 0; i < order.size(); ++i)
-    permuted[i] = values[order[i]];
-  values.swap(permuted);
+void permute_values(std::vector<T>& values, const std::vector<std::uint32_t>& order) {
+  const auto permuted = order | std::views::transform([&](std::uint32_t i) -> const T& { return values[i]; });
+  std::vector<T> copy(permuted.begin(), permuted.end());
+  values.swap(copy);
 }
 
 } // namespace
@@ -47,25 +47,18 @@ void Points<dim>::add(const NewPoint<dim>& point) {
 }
 
 template <int dim>
-void Points<dim>::permute(const std::vector<std::uint32_t>& order) {
-  const auto apply = [&order](auto& values) { permute_array(values, order); };
-  apply(id), apply(cell), apply(layer), apply(refilled), apply(mass), apply(volume);
-  for (auto& component : position)
-    apply(component);
-  for (auto& component : placed)
-    apply(component);
-  for (auto& component : velocity)
-    apply(component);
-  for (auto& component : stress)
-    apply(component);
-  if (has_domains)
-    for (auto& component : half_length)
+void Points<dim>::permute_array(int array, const std::vector<std::uint32_t>& order) {
+  const auto apply = [&](auto& values) {
+    if (array-- == 0 && !values.empty()) permute_values(values, order); // empty: there where a law or space needs it
+  };
+  const auto apply_to_all = [&](auto& components) {
+    for (auto& component : components)
       apply(component);
-  if (yields) apply(plastic_strain);
-  if (hardens) apply(preconsolidation_pressure);
-  if (!tracks_deformation) return;
-  for (auto& component : deformation)
-    apply(component);
+  };
+  apply(id), apply(cell), apply(layer), apply(refilled), apply(mass), apply(volume);
+  apply_to_all(position), apply_to_all(placed), apply_to_all(velocity), apply_to_all(stress);
+  apply_to_all(half_length), apply_to_all(deformation);
+  apply(plastic_strain), apply(preconsolidation_pressure);
 }
 
 template struct Points<2>;

@@ -55,6 +55,8 @@ public:
     for (std::size_t i = 0; i < size(); ++i)
       for (std::size_t k = 0; k < own.size(); ++k)
         (*own[k])[home_[i]] = values_[k][i];
+    for (std::size_t i = 0; i < size(); ++i)
+      points.cell[home_[i]] = cell_[i];
     for (auto& values : values_)
       values.clear();
     layer_.clear(), home_.clear(), cell_.clear();

@@ -22,8 +22,12 @@ struct CellTable {
   [[nodiscard]] bool is_empty(int cell) const { return !has_points(cell, cell + 1); }
 };
 
-/// Finds the cell of every point and, where a point is new, gone or has changed its cell, sorts the points by cell
-/// (counting sort, stable: the same points give the same order). Throws PointLost.
+/// Fills the table, but for `sorts`, in from the cells of the points in any order. Returns the order by cell: the point
+/// to be at place i is now at place order[i] (counting sort, stable).
+std::vector<std::uint32_t> order_by_cell(const std::vector<std::int32_t>& cells, std::size_t n_cells, CellTable& table);
+
+/// Finds the cell of every point and, where a point is new, gone or has changed its cell, sorts the points by cell: the
+/// same points give the same order. Throws PointLost.
 template <class Space>
 void sort_by_cell(const Space& space, Points<Space::dim>& points, CellTable& table);
 

@@ -90,7 +90,13 @@ struct Points {
   /// Appends a stress-free point at rest.
   void add(const NewPoint<dim>& point);
   /// Brings the points into the order given: new point i is old point order[i]. Points that are not in it are gone.
-  void permute(const std::vector<std::uint32_t>& order);
+  void permute(const std::vector<std::uint32_t>& order) {
+    for (int array = 0; array < n_arrays; ++array)
+      permute_array(array, order);
+  }
+  /// The same for one of the arrays, 0 ... n_arrays - 1.
+  void permute_array(int array, const std::vector<std::uint32_t>& order);
+  static constexpr int n_arrays = 8 + 4 * dim + static_cast<int>(stress_size<dim>) + dim * dim;
 };
 
 extern template struct Points<2>;
