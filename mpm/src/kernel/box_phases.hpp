@@ -24,7 +24,7 @@ template <int dim, int degree>
 constexpr Phases phases_of_boxes() {
   using Kind = Boxes<dim, degree>;
   return {.quantities = Kind::n_quantities,
-          .block = larger(Kind::largest_stress * static_cast<int>(Kind::ScatterBlock::pitch),
+          .block = larger(Kind::largest_stress * static_cast<int>(Kind::SumBlock::pitch),
                           Kind::constants_of(true) * static_cast<int>(Kind::MoveBlock::pitch)),
           .tile = tile_of(Kind::constants),
           .n_means = Kind::n_nodes,

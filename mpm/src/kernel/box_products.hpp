@@ -6,76 +6,104 @@
 
 namespace settle::mpm::kernel::SETTLE_VARIANT {
 
-template <class Boxes, bool full, Weight weight>
-struct BoxProducts : Boxes {
-  using Boxes::dim, Boxes::n, Boxes::n_nodes, Boxes::n_lines, Boxes::n_squares;
+/// Eight times n numbers, `count` of them for every axis.
+template <int dim, int count, int n>
+using AlongAxes = Lanes[dim][count][n];
+
+/// Products of `n` slots of points: values and slopes along the axes, and those along all axes but the first: of
+/// values, and with the slope along one of them; what products of two products differ in.
+template <class Boxes, int n>
+struct BoxProducts {
+  static constexpr int dim = Boxes::dim, n_functions = Boxes::n, n_lines = Boxes::n_lines;
   using Along = typename Boxes::Along;
-  using Block = typename Boxes::ScatterBlock;
+  AlongAxes<dim, n_functions, n> value, slope;
+  AlongAxes<dim, Boxes::n_squares, n> square;
+  Lanes across[n_lines][n], across_slope[dim - 1][n_lines][n];
 
-  /// Values and slopes of products along the axes, and the products of those along all axes but the first: of values,
-  /// and with the slope along one of them.
-  struct Products {
-    Lanes value[dim][n], slope[dim][n], across[n_lines], across_slope[dim - 1][n_lines];
+  SETTLE_INLINE void set(int slot, const Lanes local[dim]) {
+    for (int d = 0; d < dim; ++d) {
+      Lanes values[n_functions], slopes[n_functions], squares[Boxes::n_squares];
+      Along::products(local[d], values, slopes);
+      Along::squares(values, squares);
+      for (int i = 0; i < n_functions; ++i)
+        value[d][i][slot] = values[i], slope[d][i][slot] = slopes[i];
+      for (int i = 0; i < Boxes::n_squares; ++i)
+        square[d][i][slot] = squares[i];
+    }
+    for (int k = 0; k < n_lines; ++k) {
+      const int j = k % n_functions, l = k / n_functions;
+      const Lanes y = value[1][j][slot], dy = slope[1][j][slot];
+      if constexpr (dim == 2) {
+        across[k][slot] = y, across_slope[0][k][slot] = dy;
+      } else {
+        const Lanes z = value[2][l][slot], dz = slope[2][l][slot];
+        across[k][slot] = z * y, across_slope[0][k][slot] = z * dy, across_slope[1][k][slot] = dz * y;
+      }
+    }
+  }
+};
 
-    SETTLE_INLINE explicit Products(const Lanes local[dim]) {
+/// What points have to say, each quantity summed over `n` slots and handed to `put`.
+template <class Boxes, int n, class Values, class Put>
+struct BoxSums {
+  static constexpr int dim = Boxes::dim, n_functions = Boxes::n, n_lines = Boxes::n_lines;
+  const Values& points;
+  Put& put;
+  BoxProducts<Boxes, n> at;
+
+  SETTLE_INLINE BoxSums(const Step& step, const Values& values, Put& target) : points(values), put(target) {
+    for (int slot = 0; slot < n; ++slot) {
+      Lanes x[dim];
       for (int d = 0; d < dim; ++d)
-        Along::products(local[d], value[d], slope[d]);
-      for (int k = 0; k < n_lines; ++k) {
-        const int j = k % n, l = k / n;
-        if constexpr (dim == 2) {
-          across[k] = value[1][j], across_slope[0][k] = slope[1][j];
-        } else {
-          across[k] = value[2][l] * value[1][j];
-          across_slope[0][k] = value[2][l] * slope[1][j], across_slope[1][k] = slope[2][l] * value[1][j];
-        }
-      }
+        x[d] = points.of[Values::position + d][slot];
+      at.set(slot, place<dim>(step, x).local);
     }
-  };
+  }
 
-  SETTLE_INLINE static void fill(const Step& step, const PointArrays& points, std::size_t p, int some, double* block) {
-    auto put = [&](const Lanes& lanes) { store(block, lanes), block += Block::pitch; };
-    const auto of_point = [&](const double* values) { return load(values + p, some); };
-    Lanes x[dim];
-    for (int d = 0; d < dim; ++d)
-      x[d] = of_point(points.position[d]);
-    const Products at(place<dim>(step, x).local);
-    Lanes square[dim][n_squares];
-    for (int d = 0; d < dim; ++d)
-      Along::squares(at.value[d], square[d]);
-    const Lanes m = of_point(points.mass), v = of_point(points.volume);
-    for_each_product<dim>(square, m, put);
-    const auto put_values = [&](const Lanes& what) {
-      for (int k = 0; k < n_lines; ++k) {
-        const Lanes share = what * at.across[k];
-        for (int i = 0; i < n; ++i)
-          put(share * at.value[0][i]);
+  /// `factor` times every product of one square of a product for each axis, those of the first axis fastest.
+  template <int axis = dim - 1>
+  SETTLE_INLINE void put_squares(const Lanes* factor) {
+    for (int i = 0; i < Boxes::n_squares; ++i)
+      if constexpr (axis == 0) {
+        put(sum_of_slots<n>([&](int slot) { return factor[slot] * at.square[0][i][slot]; }));
+      } else {
+        Lanes product[n];
+        for (int slot = 0; slot < n; ++slot)
+          product[slot] = factor[slot] * at.square[axis][i][slot];
+        put_squares<axis - 1>(product);
       }
-    };
-    for (int d = 0; d < dim; ++d)
-      put_values(m * of_point(points.velocity[d]));
-    Lanes tension[n_stresses<dim>];
-    for (int c = 0; c < n_stresses<dim>; ++c)
-      if (dim == 3 || c != 2) tension[c] = v * of_point(points.stress[c]);
-    for (int d = 0; d < dim; ++d)
-      for (int k = 0; k < n_lines; ++k) {
-        const Lanes along = tension[component<dim>(d, 0)] * at.across[k];
-        Lanes across = tension[component<dim>(d, 1)] * at.across_slope[0][k];
-        if constexpr (dim == 3) across += tension[component<dim>(d, 2)] * at.across_slope[1][k];
-        for (int i = 0; i < n; ++i)
-          put(along * at.slope[0][i] + across * at.value[0][i]);
-      }
-    if constexpr (full) {
-      put_values(v);
-      for (int k = 0; k < n_felt<dim>; ++k)
-        put(tension[felt<dim>(k)]);
-    } else {
-      put(v);
+  }
+  /// `what` times every product.
+  SETTLE_INLINE void put_values(const Lanes* what) {
+    for (int k = 0; k < n_lines; ++k) {
+      Lanes share[n];
+      for (int slot = 0; slot < n; ++slot)
+        share[slot] = what[slot] * at.across[k][slot];
+      for (int i = 0; i < n_functions; ++i)
+        put(sum_of_slots<n>([&](int slot) { return share[slot] * at.value[0][i][slot]; }));
     }
-    if constexpr (weight == Weight::uniform) return;
-    Lanes pull = -gravity_on(step, points.layer + p, some);
-    if constexpr (weight == Weight::with_force) pull += of_point(points.force[1]);
-    put_values(m * pull);
-    if constexpr (weight == Weight::with_force) put_values(m * of_point(points.force[0]));
+  }
+  /// The same for `what` times value k of the points.
+  SETTLE_INLINE void put_values(const Lanes* what, int k) {
+    Lanes product[n];
+    for (int slot = 0; slot < n; ++slot)
+      product[slot] = what[slot] * points.of[k][slot];
+    put_values(product);
+  }
+  /// Internal force along an axis, in units of the length of a square, by products; v: volume.
+  SETTLE_INLINE void put_force(const Lanes* v, int d) {
+    for (int k = 0; k < n_lines; ++k) {
+      Lanes along[n], across[n];
+      for (int slot = 0; slot < n; ++slot) {
+        const auto tension = [&](int axis) { return v[slot] * points.tension(component<dim>(d, axis))[slot]; };
+        along[slot] = tension(0) * at.across[k][slot];
+        across[slot] = tension(1) * at.across_slope[0][k][slot];
+        if constexpr (dim == 3) across[slot] += tension(2) * at.across_slope[1][k][slot];
+      }
+      for (int i = 0; i < n_functions; ++i)
+        put(sum_of_slots<n>(
+            [&](int slot) { return along[slot] * at.slope[0][i][slot] + across[slot] * at.value[0][i][slot]; }));
+    }
   }
 };
 

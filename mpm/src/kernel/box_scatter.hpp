@@ -8,12 +8,32 @@
 namespace settle::mpm::kernel::SETTLE_VARIANT {
 
 template <class Boxes, bool full, Weight weight>
-struct BoxScatter : BoxProducts<Boxes, full, weight> {
+struct BoxScatter : Boxes {
   using Boxes::dim, Boxes::degree, Boxes::n, Boxes::n_nodes, Boxes::n_lines, Boxes::n_squares;
   using Along = typename Boxes::Along;
-  using Block = typename Boxes::ScatterBlock;
   using Array = NodeArrays<dim>;
   static constexpr int count = Boxes::sums_of(full, weight);
+
+  /// As CellSums asks; squares have one cell each, so `first` is 0.
+  template <int slots, class Values, class Put>
+  SETTLE_INLINE static void products(const Step& step, const Values& points, int, Put&& put) {
+    BoxSums<Boxes, slots, Values, Put> sums(step, points, put);
+    const Lanes *m = points.of[Values::mass], *v = points.of[Values::volume];
+    sums.put_squares(m);
+    for (int d = 0; d < dim; ++d)
+      sums.put_values(m, Values::velocity + d);
+    for (int d = 0; d < dim; ++d)
+      sums.put_force(v, d);
+    if constexpr (full) {
+      sums.put_values(v);
+      for (int k = 0; k < n_felt<dim>; ++k)
+        put(sum_of_slots<slots>([&](int slot) { return v[slot] * points.of[Values::stress + k][slot]; }));
+    } else {
+      put(sum_of_slots<slots>([&](int slot) { return v[slot]; }));
+    }
+    for (int k = 0; k < Values::n_pulls; ++k)
+      sums.put_values(m, Values::pull + k);
+  }
 
   SETTLE_INLINE static void load_nodes(const CellArrays& cells, int first, std::size_t s, Lanes values[n_nodes]) {
     for (int k = 0; k < n_nodes; ++k)
@@ -200,11 +220,7 @@ struct BoxScatter : BoxProducts<Boxes, full, weight> {
   static void run(const Step& step, int strip, const Scratch& scratch) {
     const CellArrays cells(step, scratch.cells);
     sum_up<dim, 1>(step, strip, scratch, [&](const Tile& tile, Lanes& slowness) {
-      sum_over_cells<1, count, Boxes::points, Block>(
-          step, tile, scratch.block, cells, [&](const PointArrays& points, std::size_t first, int size) {
-            for (int q = 0; q < size; q += n_lanes)
-              BoxScatter::fill(step, points, first + static_cast<std::size_t>(q), size - q, scratch.block + q);
-          });
+      CellSums<BoxScatter, dim, weight>::add_tile(step, tile, scratch.block, cells);
       cells.clear_behind(step, tile, Boxes::constants);
       if (step.hyperelastic) find_largest_stress<dim, 1>(step, tile, cells, Boxes::largest_stress);
       for (std::size_t s = 0; s < tile.n_squares; s += n_lanes)

@@ -5,7 +5,6 @@
 
 #include "axis.hpp"
 #include "cell_sums.hpp"
-#include "law.hpp"
 
 namespace settle::mpm::kernel::SETTLE_VARIANT {
 
@@ -22,8 +21,8 @@ struct Boxes {
   static constexpr int n_nodes = power(n, dim),
                        n_lines = power(n, dim - 1); ///< of a square; lines of them along an axis
   static constexpr int all_squares = power(n_squares, dim), all_pairs = power(Along::n_pairs, dim);
-  static constexpr int points = power(2, dim); ///< that most squares hold
-  using ScatterBlock = Block<dim == 2 && degree == 1 ? 128 : 64>;
+  static constexpr int per_square = 1, points = power(2, dim); ///< cells of a square; points that most hold
+  using SumBlock = Block<dim == 2 && degree == 1 ? 128 : 64>;
   using MoveBlock = Block<dim == 2 && degree == 1 ? 128 : dim == 3 && degree == 2 ? 32 : 64>;
 
   /// Sums over the points of a square: mass by squares; by products momentum, internal force and volume (or volume
@@ -112,17 +111,5 @@ struct Boxes {
     return off;
   }
 };
-
-/// Calls `put` with `factor` times every product of one number for each axis, those of the first axis fastest.
-template <int dim, int n, class Put>
-SETTLE_INLINE void for_each_product(Lanes (*numbers)[n], const Lanes& factor, Put& put) {
-  for (int i = 0; i < n; ++i) {
-    const Lanes product = factor * numbers[dim - 1][i];
-    if constexpr (dim == 1)
-      put(product);
-    else
-      for_each_product<dim - 1, n>(numbers, product, put);
-  }
-}
 
 } // namespace settle::mpm::kernel::SETTLE_VARIANT

@@ -2,7 +2,7 @@
 /// Points in blocks, and their sums over cells.
 #pragma once
 
-#include "tile.hpp"
+#include "point_values.hpp"
 
 namespace settle::mpm::kernel::SETTLE_VARIANT {
 
@@ -39,119 +39,108 @@ SETTLE_INLINE void add_up_all(const double* block, int q0, int q1, double* cell,
   }
 }
 
-/// Sums of eight cells with `each` points, a power of two, from the point of the block on that `block` is at: of
-/// neighbours, then of the sums of neighbours.
-template <int each, int count, std::size_t pitch>
-SETTLE_INLINE void add_up_even(const double* block, double* cells, std::size_t stride) {
-  for (int k = 0; k < count; ++k, block += pitch, cells += stride) {
-#ifdef __AVX512F__
-    typedef std::int64_t Order __attribute__((vector_size(64)));
-    Lanes sums[each];
-    for (int i = 0; i < each; ++i)
-      sums[i] = load(block + n_lanes * i);
-#pragma GCC unroll 4
-    for (int left = each / 2; left > 0; left /= 2)
-#pragma GCC unroll 8
-      for (int i = 0; i < left; ++i)
-        sums[i] = __builtin_shuffle(sums[2 * i], sums[2 * i + 1], Order{0, 2, 4, 6, 8, 10, 12, 14}) +
-                  __builtin_shuffle(sums[2 * i], sums[2 * i + 1], Order{1, 3, 5, 7, 9, 11, 13, 15});
-    store(cells, sums[0]);
-#else
-    for (int i = 0; i < n_lanes; ++i) {
-      double sums[each];
-      for (int q = 0; q < each; ++q)
-        sums[q] = block[each * i + q];
-      for (int left = each / 2; left > 0; left /= 2)
-        for (int q = 0; q < left; ++q)
-          sums[q] = sums[2 * q] + sums[2 * q + 1];
-      cells[i] = sums[0];
-    }
-#endif
-  }
-}
-/// Do eight cells have so many points each?
-SETTLE_INLINE bool are_even(const std::uint32_t* begin, int each) {
+/// Do `n` cells have so many points each?
+SETTLE_INLINE bool are_even(const std::uint32_t* begin, int n, int each) {
   bool even = true;
-  for (int i = 0; i < n_lanes; ++i)
+  for (int i = 0; i < n; ++i)
     even = even && begin[i + 1] - begin[i] == static_cast<std::uint32_t>(each);
   return even;
 }
 
-/// A block of points that has been filled with quantities.
-template <class Blocks>
-struct Filled {
-  std::size_t first = 0, last = 0;
+/// What the points of cells have to say, summed over each cell. `Kind` knows what that is:
+/// - `per_square` cells of a square, `points` that most of them hold, `count` quantities of a point,
+/// - `products<n>(step, values, first, put)` puts the quantities of points, one after the other, each summed over the
+///   slots first ... first + n - 1.
+template <class Kind, int dim, Weight weight>
+struct CellSums {
+  using Block = typename Kind::SumBlock;
+  static constexpr int per_square = Kind::per_square, count = Kind::count, each = Kind::points;
 
-  /// Makes it hold point p, `end` the last one that there is.
-  template <class Fill>
-  SETTLE_INLINE void reach(std::size_t p, std::size_t end, const PointArrays& points, Fill& fill) {
-    if (p < last) return;
-    first = p;
-    last = end - first < Blocks::size ? end : first + Blocks::size;
-    fill(points, first, static_cast<int>(last - first));
+  /// The points first ... last - 1 are in the block.
+  struct Filled {
+    std::size_t first = 0, last = 0;
+
+    /// Makes it hold point p, `end` the last one that is wanted.
+    SETTLE_INLINE void reach(const Step& step, std::size_t p, std::size_t end, const PointArrays& points,
+                             double* block) {
+      if (p < last) return;
+      first = p;
+      last = end - first < Block::size ? end : first + Block::size;
+      for (std::size_t q = 0; q < last - first; q += n_lanes) {
+        PointValues<dim, weight, 1> values;
+        values.read(step, points, first + q, static_cast<int>(last - first - q));
+        double* to = block + q;
+        Kind::template products<1>(step, values, 0, [&](const Lanes& lanes) { store(to, lanes), to += Block::pitch; });
+      }
+    }
+  };
+
+  /// Sums of the eight squares from `square` on, whose points begin with p: `each` in every cell.
+  SETTLE_INLINE static void add_eight(const Step& step, const CellArrays& cells, std::size_t square, std::size_t p) {
+    PointValues<dim, weight, per_square * each> values;
+    values.read_squares(step, step.points, p);
+    for (int which = 0; which < per_square; ++which) {
+      double* to = cells.quantity(which * count) + square;
+      Kind::template products<each>(step, values, each * which,
+                                    [&](const Lanes& sum) { store(to, sum), to += cells.stride; });
+    }
+  }
+
+  /// Adds the points p ... last - 1 of a cell of a square, `end` the last one that is wanted for the block.
+  SETTLE_INLINE static void add_cell(const Step& step, const PointArrays& points, Filled& filled, double* block,
+                                     const CellArrays& cells, int which, std::size_t square, std::size_t p,
+                                     std::size_t last, std::size_t end, bool begins) {
+    double* sums = cells.quantity(which * count) + square;
+    if (begins && p == last)
+      for (int k = 0; k < count; ++k)
+        sums[static_cast<std::size_t>(k) * cells.stride] = 0.0;
+    while (p < last) {
+      filled.reach(step, p, end, points, block);
+      const std::size_t until = last < filled.last ? last : filled.last;
+      add_up_all<count, Block::pitch>(block, static_cast<int>(p - filled.first), static_cast<int>(until - filled.first),
+                                      sums, cells.stride, begins);
+      begins = false;
+      p = until;
+    }
+  }
+
+  /// Squares of one line, `number` that of the first in the grid: eight at a time where they are as most are.
+  SETTLE_INLINE static void add_line(const Step& step, Filled& filled, double* block, const CellArrays& cells,
+                                     std::size_t square, std::size_t number, std::size_t end_of_tile) {
+    const std::uint32_t* begin = step.begin + static_cast<std::size_t>(per_square) * number;
+    for (int column = 0; column < step.line;) {
+      const int some = least(n_lanes, step.line - column), some_cells = per_square * some;
+      if (some == n_lanes && are_even(begin, some_cells, each)) {
+        add_eight(step, cells, square, std::size_t{begin[0]});
+        begin += some_cells;
+      } else {
+        const std::size_t end = step.line < n_lanes ? end_of_tile : std::size_t{begin[some_cells]};
+        for (int i = 0; i < some_cells; ++i, ++begin)
+          add_cell(step, step.points, filled, block, cells, i % per_square,
+                   square + static_cast<std::size_t>(i / per_square), std::size_t{begin[0]}, std::size_t{begin[1]}, end,
+                   true);
+      }
+      column += some, square += static_cast<std::size_t>(some);
+    }
+  }
+
+  /// Over all cells of a tile; squares that do not exist are cleared.
+  SETTLE_INLINE static void add_tile(const Step& step, const Tile& tile, double* block, const CellArrays& cells) {
+    const std::size_t end = tile.end_of_points(step, per_square);
+    Filled filled;
+    for_each_line(
+        step, tile,
+        [&](std::size_t square, std::size_t number) { add_line(step, filled, block, cells, square, number, end); },
+        [&](std::size_t first) {
+          cells.clear(per_square * count, first, first + static_cast<std::size_t>(step.node_line));
+        });
+    filled = {};
+    const Strays& strays = step.strays[tile.index];
+    for_each_cell_of_strays<per_square>(
+        step, tile, [&](int which, std::size_t square, std::size_t first, std::size_t last) {
+          add_cell(step, strays.points, filled, block, cells, which, square, first, last, strays.count, false);
+        });
   }
 };
-
-/// Sums `count` quantities of points over the cells of a tile, `each` the number of points that most squares of one
-/// cell hold. `fill(points, first, n)` puts the quantities of a block of points into `block`.
-template <int per_square, int count, int each, class Blocks, class Fill>
-SETTLE_INLINE void sum_over_cells(const Step& step, const Tile& tile, double* block, const CellArrays& cells,
-                                  Fill&& fill) {
-  Filled<Blocks> filled;
-  const auto add = [&](const PointArrays& points, std::size_t end_of_points, bool begins) {
-    return [&, end_of_points, begins](int which, std::size_t square, std::size_t p, std::size_t last) {
-      double* sums = cells.quantity(which * count) + square;
-      bool first_part = begins;
-      if (p == last)
-        for (int k = 0; k < count; ++k)
-          sums[static_cast<std::size_t>(k) * cells.stride] = 0.0;
-      while (p < last) {
-        filled.reach(p, end_of_points, points, fill);
-        const std::size_t until = last < filled.last ? last : filled.last;
-        add_up_all<count, Blocks::pitch>(block, static_cast<int>(p - filled.first),
-                                         static_cast<int>(until - filled.first), sums, cells.stride, first_part);
-        first_part = false;
-        p = until;
-      }
-    };
-  };
-  const std::size_t end = tile.end_of_points(step, per_square);
-  const auto add_cell = add(step.points, end, true);
-  const auto add_eight = [&](std::size_t square, std::size_t p) {
-    filled.reach(p, end, step.points, fill);
-    if (p + each * n_lanes > filled.last) return false;
-    add_up_even<each, count, Blocks::pitch>(block + (p - filled.first), cells.quantity(0) + square, cells.stride);
-    return true;
-  };
-  for_each_line(
-      step, tile,
-      [&](std::size_t square, std::size_t number) {
-        const std::uint32_t* begin = step.begin + static_cast<std::size_t>(per_square) * number;
-        for (int column = 0; column < step.line;) {
-          if (per_square == 1 && column + n_lanes <= step.line && are_even(begin, each) &&
-              add_eight(square, std::size_t{begin[0]})) {
-            column += n_lanes, square += n_lanes, begin += n_lanes;
-            continue;
-          }
-          for (int which = 0; which < per_square; ++which, ++begin)
-            add_cell(which, square, std::size_t{begin[0]}, std::size_t{begin[1]});
-          ++column, ++square;
-        }
-      },
-      [&](std::size_t first) {
-        cells.clear(per_square * count, first, first + static_cast<std::size_t>(step.node_line));
-      });
-  filled = {};
-  const Strays& strays = step.strays[tile.index];
-  for_each_cell_of_strays<per_square>(step, tile, add(strays.points, strays.count, false));
-}
-
-/// Gravity on points q ... of a block, all of them [m/s2].
-SETTLE_INLINE Lanes gravity_on(const Step& step, const std::int32_t* layer, int count) {
-  Lanes gravity = all(0.0);
-  for (int i = 0; i < least(count, n_lanes); ++i)
-    gravity[i] = layer[i] == step.ramped_layer ? step.ramped_gravity : step.gravity;
-  return gravity;
-}
 
 } // namespace settle::mpm::kernel::SETTLE_VARIANT

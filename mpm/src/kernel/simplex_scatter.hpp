@@ -11,37 +11,36 @@ template <class Cut, Weight weight>
 struct SimplexScatter : Simplices<Cut> {
   using Cells = Simplices<Cut>;
   using Cells::dim, Cells::per_square, Cells::n_nodes;
-  using Block = typename Cells::PointBlock;
+  using SumBlock = typename Cells::PointBlock;
   using Array = NodeArrays<dim>;
   static constexpr int count = Cells::sums_of(weight);
 
-  SETTLE_INLINE static void fill(const Step& step, const PointArrays& points, std::size_t p, int some, double* block) {
-    const auto put = [&](const Lanes& lanes) { store(block, lanes), block += Block::pitch; };
-    const auto of_point = [&](const double* values) { return load(values + p, some); };
-    Lanes x[dim], share[n_nodes];
-    for (int d = 0; d < dim; ++d)
-      x[d] = of_point(points.position[d]);
-    const auto at = Cut::locate(step, x);
-    const Lanes mass = of_point(points.mass), volume = of_point(points.volume);
-    for (int i = 0; i < n_nodes; ++i)
-      share[i] = mass * at.value[i];
+  template <int n, class Values, class Put>
+  SETTLE_INLINE static void products(const Step& step, const Values& points, int first, Put&& put) {
+    Lanes value[n_nodes][n], share[n_nodes][n];
+    const auto of = [&](int k, int slot) -> const Lanes& { return points.of[k][first + slot]; };
+    for (int slot = 0; slot < n; ++slot) {
+      Lanes x[dim];
+      for (int d = 0; d < dim; ++d)
+        x[d] = of(Values::position + d, slot);
+      const auto at = Cut::locate(step, x);
+      for (int i = 0; i < n_nodes; ++i)
+        value[i][slot] = at.value[i], share[i][slot] = of(Values::mass, slot) * at.value[i];
+    }
     for (int i = 0; i < n_nodes; ++i)
       for (int j = i; j < n_nodes; ++j)
-        put(share[i] * at.value[j]);
-    const auto put_values = [&](const Lanes& what) {
+        put(sum_of_slots<n>([&](int slot) { return share[i][slot] * value[j][slot]; }));
+    const auto put_values = [&](int k) {
       for (int i = 0; i < n_nodes; ++i)
-        put(share[i] * what);
+        put(sum_of_slots<n>([&](int slot) { return share[i][slot] * of(k, slot); }));
     };
     for (int d = 0; d < dim; ++d)
-      put_values(of_point(points.velocity[d]));
-    put(volume);
+      put_values(Values::velocity + d);
+    put(sum_of_slots<n>([&](int slot) { return of(Values::volume, slot); }));
     for (int k = 0; k < n_felt<dim>; ++k)
-      put(volume * of_point(points.stress[felt<dim>(k)]));
-    if constexpr (weight == Weight::uniform) return;
-    Lanes pull = -gravity_on(step, points.layer + p, some);
-    if constexpr (weight == Weight::with_force) pull += of_point(points.force[1]);
-    put_values(pull);
-    if constexpr (weight == Weight::with_force) put_values(of_point(points.force[0]));
+      put(sum_of_slots<n>([&](int slot) { return of(Values::volume, slot) * of(Values::stress + k, slot); }));
+    for (int k = 0; k < Values::n_pulls; ++k)
+      put_values(Values::pull + k);
   }
 
   /// Results of the cells of the squares s ... s + 7.
@@ -128,11 +127,7 @@ struct SimplexScatter : Simplices<Cut> {
   static void run(const Step& step, int strip, const Scratch& scratch) {
     const CellArrays cells(step, scratch.cells);
     sum_up<dim, per_square>(step, strip, scratch, [&](const Tile& tile, Lanes& slowness) {
-      sum_over_cells<per_square, count, 1, Block>(
-          step, tile, scratch.block, cells, [&](const PointArrays& points, std::size_t first, int size) {
-            for (int q = 0; q < size; q += n_lanes)
-              fill(step, points, first + static_cast<std::size_t>(q), size - q, scratch.block + q);
-          });
+      CellSums<SimplexScatter, dim, weight>::add_tile(step, tile, scratch.block, cells);
       cells.clear_behind(step, tile, Cells::constants);
       if (step.hyperelastic) find_largest_stress<dim, per_square>(step, tile, cells, Cells::largest_stress);
       for (std::size_t s = 0; s < tile.n_squares; s += n_lanes)

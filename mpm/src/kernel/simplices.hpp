@@ -4,13 +4,13 @@
 
 #include "cell_sums.hpp"
 #include "cuts.hpp"
-#include "law.hpp"
 
 namespace settle::mpm::kernel::SETTLE_VARIANT {
 
 template <class Cut>
 struct Simplices : Cut {
   using Cut::dim, Cut::per_square;
+  static constexpr int points = dim == 2 ? 3 : 4; ///< that most cells hold
   static constexpr int n_nodes = dim + 1, n_pairs = n_nodes * (n_nodes + 1) / 2;
   using PointBlock = Block<128>;
 
