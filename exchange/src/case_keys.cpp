@@ -61,6 +61,28 @@ KeyTable<Valley> valley_keys() {
   return keys;
 }
 
+KeyTable<Mesh> mesh_keys() {
+  KeyTable<Mesh> keys("A mesh by Gmsh (ASCII, version 2.2 or 4.1), with the shape \"mesh\" only: quadrilaterals in the "
+                      "plane of x and y, y the height, or hexahedra, z the height. Its physical groups are layers and "
+                      "parts of the boundary.");
+  keys.text("file", &Mesh::file, {.required = true, .doc = "MSH file, relative to the folder of the case file"});
+  keys.text("text", &Mesh::text, {.doc = "what is in the file; a case that is written holds it, and needs no file"});
+  keys.texts("ground", &Mesh::ground,
+             {.doc = "groups that are there before anything is built, from below: layers 1, 2, ..."});
+  keys.texts("layers", &Mesh::layers,
+             {.count = {.least = 1},
+              .required = true,
+              .doc = "groups in the order of construction: the layers after the ground. Every cell is in one group of "
+                     "these two lists"});
+  keys.toml_values("materials", &Mesh::materials,
+                   {.doc = "`group = \"NAME\"` of a `[material.NAME]`; of a group left out: `construction.material`"});
+  keys.texts("fixed", &Mesh::fixed, {.doc = "groups of the boundary that are held in all directions"});
+  keys.texts("roller", &Mesh::roller,
+             {.doc = "groups of the boundary, each part at right angles to an axis, that are held along it. What is "
+                     "in neither list is free"});
+  return keys;
+}
+
 KeyTable<Geometry> geometry_keys() {
   KeyTable<Geometry> keys("The domain that is built up. Required.");
   keys.choice("shape", &Geometry::shape, {.required = true, .doc = "what is built"});
@@ -77,7 +99,7 @@ KeyTable<Geometry> geometry_keys() {
   keys.real("depth", &Geometry::depth,
             {.unit = "m",
              .range = above(0),
-             .left_out = "the width; in a valley that of the crest",
+             .left_out = "the width; in a valley that of the crest; that of a mesh of hexahedra",
              .doc = "extent along y, in 3-D only; a drawn section is extruded along it"});
   keys.integer(
       "dimension", &Geometry::dimension,
@@ -85,6 +107,7 @@ KeyTable<Geometry> geometry_keys() {
   keys.table_array("polygon", &Geometry::polygons, polygon_keys());
   keys.table("embankment", &Geometry::embankment, embankment_keys());
   keys.table("valley", &Geometry::valley, valley_keys());
+  keys.table("mesh", &Geometry::mesh, mesh_keys());
   return keys;
 }
 
@@ -220,7 +243,9 @@ KeyTable<Fem> fem_keys() {
   KeyTable<Fem> keys("What the finite element method is told.");
   keys.choice("element", &Fem::element, {.doc = "degree of the shape functions"});
   keys.real("element_size", &Fem::element_size,
-            {.unit = "m", .range = above(0), .doc = "edge of a cell; the layer thickness must be a multiple of it"});
+            {.unit = "m",
+             .range = above(0),
+             .doc = "edge of a cell; the layer thickness must be a multiple of it; of a mesh its own"});
   keys.choice("kinematics", &Fem::kinematics, {.doc = "small strains on the design geometry, or finite strains"});
   keys.choice("integration", &Fem::integration,
               {.left_out = "b-bar where a material yields, else full",
@@ -248,7 +273,7 @@ KeyTable<Probes> probes_keys() {
              {.unit = "m",
               .count = point,
               .left_out = "required for polygons",
-              .doc = "`[x, y]` of one end; in a valley `[x, y, z]`"});
+              .doc = "`[x, y]` of one end; in a valley and a mesh of hexahedra `[x, y, z]`"});
   keys.reals("to", &Probes::to,
              {.unit = "m", .count = point, .left_out = "required for polygons", .doc = "likewise of the other end"});
   keys.integer("points", &Probes::points,

@@ -1,0 +1,150 @@
+#include "mesh_groups.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <set>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "mesh_body.hpp"
+#include "settle/exchange/document.hpp"
+#include "settle/exchange/spelling.hpp"
+
+namespace settle::exchange {
+namespace {
+
+constexpr const char* cells_of(int dimension) {
+  return dimension == 2 ? "surfaces" : "volumes";
+}
+
+constexpr const char* sides_of(int dimension) {
+  return dimension == 2 ? "curves" : "surfaces";
+}
+
+std::vector<std::string> names_in(const GmshFile& file, int dimension) {
+  std::vector<std::string> names;
+  for (const auto& [key, name] : file.names)
+    if (key.first == dimension) names.push_back(name);
+  return names;
+}
+
+/// Looks names up and complains about those it does not find.
+class Finder {
+public:
+  Finder(const Case& study, const GmshFile& file, Reading& reading) : study_(study), file_(file), reading_(reading) {}
+
+  /// The number of a group of a dimension; nothing where there is none.
+  std::optional<int> number_of(const std::string& name, int dimension, const std::string& key) {
+    const char* kind = dimension == study_.geometry.mesh->dimension ? cells_of(dimension) : sides_of(dimension + 1);
+    const auto group = std::find_if(file_.names.begin(), file_.names.end(), [&](const auto& entry) {
+      return entry.first.first == dimension && entry.second == name;
+    });
+    if (group == file_.names.end()) {
+      const auto nearest = nearest_spelling(name, names_in(file_, dimension));
+      reading_.complain({.where = study_.where(key),
+                         .what = fmt::format("{} names a physical group of {} that is not in the mesh", key, kind),
+                         .given = name,
+                         .allowed = names_of_groups(file_, dimension),
+                         .remedy = nearest ? fmt::format("did you mean {}?", *nearest)
+                                           : "give the group that name in Gmsh, or take one of these"});
+      return {};
+    }
+    if (!seen_.insert({dimension, group->first.second}).second) {
+      reading_.complain({.where = study_.where(key),
+                         .what = fmt::format("{} names a physical group a second time", key),
+                         .given = name,
+                         .allowed = "each group once",
+                         .remedy = {}});
+      return {};
+    }
+    return group->first.second;
+  }
+
+private:
+  const Case& study_;
+  const GmshFile& file_;
+  Reading& reading_;
+  std::set<std::pair<int, int>> seen_;
+};
+
+/// Ground first, each with its key.
+std::vector<std::pair<std::string, std::string>> names_of_layers(const Mesh& mesh) {
+  std::vector<std::pair<std::string, std::string>> names;
+  for (std::size_t i = 0; i < mesh.ground.size(); ++i)
+    names.emplace_back(mesh.ground[i], fmt::format("geometry.mesh.ground.{}", i));
+  for (std::size_t i = 0; i < mesh.layers.size(); ++i)
+    names.emplace_back(mesh.layers[i], fmt::format("geometry.mesh.layers.{}", i));
+  return names;
+}
+
+void check_number_of_layers(const Case& study, std::size_t named, Reading& reading) {
+  if (static_cast<std::size_t>(study.construction.layers) == named) return;
+  reading.complain({.where = study.where("construction.layers"),
+                    .what = "construction.layers is not the number of the groups that are layers",
+                    .given = fmt::format("{}", study.construction.layers),
+                    .allowed = fmt::format("{} (geometry.mesh.ground and geometry.mesh.layers)", named),
+                    .remedy = fmt::format("set construction.layers = {}", named)});
+}
+
+void check_materials_of_groups(const Case& study, Reading& reading) {
+  const auto layers = names_of_layers(*study.geometry.mesh);
+  for (const auto& [group, text] : study.geometry.mesh->materials) {
+    const std::string key = "geometry.mesh.materials";
+    if (std::none_of(layers.begin(), layers.end(), [&](const auto& layer) { return layer.first == group; }))
+      reading.complain({.where = study.where(key),
+                        .what = key + " gives a material to a group that is no layer",
+                        .given = group,
+                        .allowed = "names of geometry.mesh.ground and geometry.mesh.layers",
+                        .remedy = {}});
+    const document::Value value = document::parse_value(text, key);
+    const auto* material = std::get_if<std::string>(&value.data);
+    if (material != nullptr && study.materials.contains(*material)) continue;
+    reading.complain({.where = study.where(key),
+                      .what = key + " names a material that is not in the case",
+                      .given = text,
+                      .allowed = "the NAME of a [material.NAME]",
+                      .remedy = material == nullptr ? "write it in quotes" : "add a table of that name"});
+  }
+}
+
+} // namespace
+
+std::string MeshPlace::of(const GmshElement& element) const {
+  return fmt::format("{}:{}", file, element.line);
+}
+
+void refuse_mesh(const std::string& where, Complaint complaint) {
+  complaint.where = where;
+  throw InputError(complaint);
+}
+
+std::string names_of_groups(const GmshFile& file, int dimension) {
+  const std::vector<std::string> names = names_in(file, dimension);
+  return names.empty() ? "none: the file has no such group with a name" : fmt::format("{}", fmt::join(names, ", "));
+}
+
+MeshGroups find_groups(Case& study, const GmshFile& file, Reading& reading) {
+  Mesh& mesh = *study.geometry.mesh;
+  MeshGroups groups;
+  Finder finder(study, file, reading);
+  const auto layers = names_of_layers(mesh);
+  for (std::size_t i = 0; i < layers.size(); ++i)
+    if (const auto number = finder.number_of(layers[i].first, mesh.dimension, layers[i].second))
+      groups.layer_of[*number] = static_cast<int>(i) + 1;
+  mesh.boundaries.clear();
+  for (const bool fixed : {true, false}) {
+    const std::vector<std::string>& names = fixed ? mesh.fixed : mesh.roller;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      const std::string key = fmt::format("geometry.mesh.{}.{}", fixed ? "fixed" : "roller", i);
+      if (const auto number = finder.number_of(names[i], mesh.dimension - 1, key))
+        groups.boundary_of[*number] = mesh.boundaries.size();
+      mesh.boundaries.push_back({.name = names[i], .fixed = fixed});
+    }
+  }
+  check_number_of_layers(study, layers.size(), reading);
+  check_materials_of_groups(study, reading);
+  return groups;
+}
+
+} // namespace settle::exchange
