@@ -287,7 +287,7 @@ private:
   FileWords words_;
   bool is_4_ = true;
   GmshFile file_;
-  std::map<Entity, std::vector<int>> groups_of_;       ///< physical groups of each entity
+  std::map<Entity, std::vector<int>> groups_of_;      ///< physical groups of each entity
   std::unordered_map<std::int64_t, unsigned> places_; ///< of nodes, by their numbers in the file
 };
 

@@ -21,7 +21,7 @@ struct GmshElement {
 
 struct GmshFile {
   std::vector<std::array<double, 3>> nodes{};
-  std::vector<GmshElement> elements{};               ///< without those that are points
+  std::vector<GmshElement> elements{};                ///< without those that are points
   std::map<std::pair<int, int>, std::string> names{}; ///< of physical groups, by dimension and number
 };
 

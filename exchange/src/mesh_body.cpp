@@ -24,10 +24,11 @@ std::string read_mesh_file(const Case& study) {
   const std::string path = path_of(study);
   std::ifstream stream(path, std::ios::binary);
   if (!stream || std::filesystem::is_directory(path))
-    refuse_mesh(study.where("geometry.mesh.file"), {.what = "the mesh cannot be read",
-                                               .given = path,
-                                               .allowed = "a file, its path relative to the folder of the case file",
-                                               .remedy = "write it with gmsh, or mend the path"});
+    refuse_mesh(study.where("geometry.mesh.file"),
+                {.what = "the mesh cannot be read",
+                 .given = path,
+                 .allowed = "a file, its path relative to the folder of the case file",
+                 .remedy = "write it with gmsh, or mend the path"});
   std::ostringstream text;
   text << stream.rdbuf();
   return text.str();
@@ -44,10 +45,11 @@ int dimension_of(const GmshFile& file, const MeshPlace& place) {
   for (const GmshElement& element : file.elements)
     highest = std::max(highest, element.dimension);
   if (highest < 2)
-    refuse_mesh(place.file, {.what = "the mesh has no cells",
-                        .given = fmt::format("{} elements", file.elements.size()),
-                        .allowed = "quadrilaterals in the plane, or hexahedra",
-                        .remedy = "mesh it (gmsh -2 or gmsh -3) and put every surface, or volume, in a physical group"});
+    refuse_mesh(place.file,
+                {.what = "the mesh has no cells",
+                 .given = fmt::format("{} elements", file.elements.size()),
+                 .allowed = "quadrilaterals in the plane, or hexahedra",
+                 .remedy = "mesh it (gmsh -2 or gmsh -3) and put every surface, or volume, in a physical group"});
   return highest;
 }
 
@@ -60,9 +62,9 @@ typename Map::const_iterator entry_of(const GmshElement& element, const Map& map
     if (entry == map.end()) continue;
     if (found != map.end())
       refuse_mesh(place.of(element), {.what = fmt::format("element {} belongs to two groups of the case", element.tag),
-                                 .given = fmt::format("physical groups {}", fmt::join(element.groups, ", ")),
-                                 .allowed = "one",
-                                 .remedy = "take it out of one of them in Gmsh"});
+                                      .given = fmt::format("physical groups {}", fmt::join(element.groups, ", ")),
+                                      .allowed = "one",
+                                      .remedy = "take it out of one of them in Gmsh"});
     found = entry;
   }
   return found;
@@ -70,15 +72,15 @@ typename Map::const_iterator entry_of(const GmshElement& element, const Map& map
 
 void require_box(const GmshElement& element, const MeshPlace& place) {
   if (element.nodes.size() == (element.dimension == 2 ? 4 : 8)) return;
-  refuse_mesh(place.of(element),
-         {.what = fmt::format("element {} is no {}", element.tag,
-                              element.dimension == 2 ? "quadrilateral" : "hexahedron"),
-          .given = fmt::format("{} nodes", element.nodes.size()),
-          .allowed = "quadrilaterals in the plane, hexahedra in space",
-          .remedy = element.dimension == 2
-                        ? "set Mesh.RecombineAll = 1 and Mesh.SubdivisionAlgorithm = 1 in Gmsh and mesh again"
-                        : "extrude quadrilaterals (Extrude with Recombine), use transfinite volumes, or set "
-                          "Mesh.SubdivisionAlgorithm = 2 in Gmsh and mesh again"});
+  refuse_mesh(
+      place.of(element),
+      {.what = fmt::format("element {} is no {}", element.tag, element.dimension == 2 ? "quadrilateral" : "hexahedron"),
+       .given = fmt::format("{} nodes", element.nodes.size()),
+       .allowed = "quadrilaterals in the plane, hexahedra in space",
+       .remedy = element.dimension == 2
+                     ? "set Mesh.RecombineAll = 1 and Mesh.SubdivisionAlgorithm = 1 in Gmsh and mesh again"
+                     : "extrude quadrilaterals (Extrude with Recombine), use transfinite volumes, or set "
+                       "Mesh.SubdivisionAlgorithm = 2 in Gmsh and mesh again"});
 }
 
 MeshCell cell_of(const GmshElement& element, const MeshGroups& groups, const GmshFile& file, const Mesh& mesh,
@@ -90,20 +92,19 @@ MeshCell cell_of(const GmshElement& element, const MeshGroups& groups, const Gms
     for (const int group : element.groups)
       if (const auto name = file.names.find({mesh.dimension, group}); name != file.names.end())
         names.push_back(name->second);
-    refuse_mesh(place.of(element),
-           {.what = fmt::format("element {} belongs to no layer of the case", element.tag),
-            .given = names.empty() ? "an element without a physical group that has a name"
-                                   : fmt::format("physical group {}", fmt::join(names, ", ")),
-            .allowed = "groups that geometry.mesh.ground or geometry.mesh.layers names",
-            .remedy = "name its group there, or leave it out of the mesh"});
+    refuse_mesh(place.of(element), {.what = fmt::format("element {} belongs to no layer of the case", element.tag),
+                                    .given = names.empty() ? "an element without a physical group that has a name"
+                                                           : fmt::format("physical group {}", fmt::join(names, ", ")),
+                                    .allowed = "groups that geometry.mesh.ground or geometry.mesh.layers names",
+                                    .remedy = "name its group there, or leave it out of the mesh"});
   }
   MeshCell cell{.layer = layer->second};
   std::copy(element.nodes.begin(), element.nodes.end(), cell.nodes.begin());
   if (!set_upright(mesh, cell))
     refuse_mesh(place.of(element), {.what = fmt::format("element {} is inverted, or not convex", element.tag),
-                               .given = fmt::format("a corner of 180 degrees or more, or none at all"),
-                               .allowed = "cells that are convex at every corner",
-                               .remedy = "mesh again: finer, smoothed, or by transfinite surfaces"});
+                                    .given = fmt::format("a corner of 180 degrees or more, or none at all"),
+                                    .allowed = "cells that are convex at every corner",
+                                    .remedy = "mesh again: finer, smoothed, or by transfinite surfaces"});
   return cell;
 }
 
@@ -143,17 +144,17 @@ void add_side(const GmshElement& element, const std::map<SideKey, MeshSide>& sid
               const Mesh& mesh, const MeshPlace& place) {
   const auto side = sides.find(key_of(element.nodes));
   if (side == sides.end() || side->second.cells.size() != 1)
-    refuse_mesh(place.of(element),
-           {.what = fmt::format("element {} of the boundary \"{}\" is no side of the body", element.tag, boundary.name),
-            .given = fmt::format("a side of {} cells", side == sides.end() ? 0 : side->second.cells.size()),
-            .allowed = "sides of one cell: the boundary of the body as it is in the end",
-            .remedy = "take the curve, or surface, out of the group in Gmsh"});
+    refuse_mesh(
+        place.of(element),
+        {.what = fmt::format("element {} of the boundary \"{}\" is no side of the body", element.tag, boundary.name),
+         .given = fmt::format("a side of {} cells", side == sides.end() ? 0 : side->second.cells.size()),
+         .allowed = "sides of one cell: the boundary of the body as it is in the end",
+         .remedy = "take the curve, or surface, out of the group in Gmsh"});
   if (!boundary.fixed && !lies_across_an_axis(mesh, side->second.nodes, mesh_slack(mesh)))
-    refuse_mesh(place.of(element),
-           {.what = fmt::format("the roller \"{}\" does not lie across an axis", boundary.name),
-            .given = fmt::format("element {}", element.tag),
-            .allowed = "boundaries at right angles to x, y or z",
-            .remedy = "name it in geometry.mesh.fixed, or leave it free"});
+    refuse_mesh(place.of(element), {.what = fmt::format("the roller \"{}\" does not lie across an axis", boundary.name),
+                                    .given = fmt::format("element {}", element.tag),
+                                    .allowed = "boundaries at right angles to x, y or z",
+                                    .remedy = "name it in geometry.mesh.fixed, or leave it free"});
   boundary.sides.push_back(side->second.nodes);
 }
 
@@ -163,14 +164,14 @@ void require_plane(const Case& study, const MeshPlace& place) {
   for (const auto& node : mesh.nodes)
     if (mesh.dimension == 2 && std::abs(node[2]) > slack)
       refuse_mesh(place.file, {.what = "a section lies in the plane of x and y",
-                          .given = fmt::format("a node at ({:g})", fmt::join(node, ", ")),
-                          .allowed = "z = 0, with y the height",
-                          .remedy = "turn it in Gmsh (Rotate), or mesh its volumes with hexahedra"});
+                               .given = fmt::format("a node at ({:g})", fmt::join(node, ", ")),
+                               .allowed = "z = 0, with y the height",
+                               .remedy = "turn it in Gmsh (Rotate), or mesh its volumes with hexahedra"});
   if (mesh.dimension == 3 && study.geometry.dimension == 2)
     refuse_mesh(study.where("geometry.dimension"), {.what = "a mesh of volumes is a body in space",
-                                               .given = fmt::format("2, with the mesh {}", place.file),
-                                               .allowed = "3",
-                                               .remedy = "set geometry.dimension = 3"});
+                                                    .given = fmt::format("2, with the mesh {}", place.file),
+                                                    .allowed = "3",
+                                                    .remedy = "set geometry.dimension = 3"});
 }
 
 } // namespace
@@ -195,8 +196,7 @@ void build_mesh(Case& study, Reading& reading) {
   for (const GmshElement& element : file.elements) {
     if (element.dimension != mesh.dimension - 1) continue;
     const auto boundary = entry_of(element, groups.boundary_of, place);
-    if (boundary != groups.boundary_of.end())
-      add_side(element, sides, mesh.boundaries[boundary->second], mesh, place);
+    if (boundary != groups.boundary_of.end()) add_side(element, sides, mesh.boundaries[boundary->second], mesh, place);
   }
   renumber(mesh);
   require_plane(study, place);

@@ -42,19 +42,19 @@ void require_single_nodes(const Mesh& mesh, double slack, const std::string& whe
     for (std::size_t j = i + 1; j < order.size() && mesh.nodes[order[j]][0] - mesh.nodes[order[i]][0] <= slack; ++j)
       if (length(mesh.nodes[order[j]] - mesh.nodes[order[i]]) <= slack)
         refuse_mesh(where, {.what = "two nodes of the mesh lie in one place, so that cells side by side are not joined",
-                       .given = text_of(mesh.nodes[order[i]]),
-                       .allowed = "one node in a place",
-                       .remedy = "let surfaces share their curves in Gmsh: Coherence; or Coherence Mesh;"});
+                            .given = text_of(mesh.nodes[order[i]]),
+                            .allowed = "one node in a place",
+                            .remedy = "let surfaces share their curves in Gmsh: Coherence; or Coherence Mesh;"});
 }
 
 void require_two_cells_at_most(const Mesh& mesh, const std::map<SideKey, MeshSide>& sides, const std::string& where) {
   for (const auto& [key, side] : sides)
     if (side.cells.size() > 2)
       refuse_mesh(where, {.what = "cells of the mesh lie over one another",
-                     .given = fmt::format("{} cells at a side with a corner at {}", side.cells.size(),
-                                          text_of(mesh.nodes[side.nodes[0]])),
-                     .allowed = "two",
-                     .remedy = "put every surface, or volume, in one physical group only"});
+                          .given = fmt::format("{} cells at a side with a corner at {}", side.cells.size(),
+                                               text_of(mesh.nodes[side.nodes[0]])),
+                          .allowed = "two",
+                          .remedy = "put every surface, or volume, in one physical group only"});
 }
 
 /// On the straight line between two nodes.
@@ -64,7 +64,8 @@ bool within_edge(const SolidPoint& at, const SolidPoint& from, const SolidPoint&
   return share > 0.0 && share < 1.0 && length(cross(offset, way)) <= slack * length(way);
 }
 
-bool within_triangle(const SolidPoint& at, const SolidPoint& a, const SolidPoint& b, const SolidPoint& c, double slack) {
+bool within_triangle(const SolidPoint& at, const SolidPoint& a, const SolidPoint& b, const SolidPoint& c,
+                     double slack) {
   const SolidPoint normal = cross(b - a, c - a);
   const double doubled = length(normal);
   if (std::abs(dot(at - a, normal)) > slack * doubled) return false;
@@ -98,9 +99,9 @@ void require_whole_sides(const Mesh& mesh, const std::map<SideKey, MeshSide>& si
     for (const unsigned node : outer)
       if (!std::binary_search(key.begin(), key.end(), node) && within(mesh.nodes[node], corners, slack))
         refuse_mesh(where, {.what = "a node of the mesh lies within a side of a cell that it is no corner of",
-                       .given = text_of(mesh.nodes[node]),
-                       .allowed = "cells that meet in whole sides",
-                       .remedy = "let surfaces share their curves in Gmsh: Coherence;"});
+                            .given = text_of(mesh.nodes[node]),
+                            .allowed = "cells that meet in whole sides",
+                            .remedy = "let surfaces share their curves in Gmsh: Coherence;"});
   }
 }
 

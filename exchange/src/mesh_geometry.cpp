@@ -77,9 +77,8 @@ std::optional<SolidPoint> unit_place(const std::array<SolidPoint, 8>& corners, c
 bool holds(const std::array<SolidPoint, 8>& corners, const SolidPoint& point, double slack) {
   double size = 0.0;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    const auto [low, high] =
-        std::minmax_element(corners.begin(), corners.end(),
-                            [axis](const SolidPoint& a, const SolidPoint& b) { return a[axis] < b[axis]; });
+    const auto [low, high] = std::minmax_element(
+        corners.begin(), corners.end(), [axis](const SolidPoint& a, const SolidPoint& b) { return a[axis] < b[axis]; });
     if (point[axis] < (*low)[axis] - slack || point[axis] > (*high)[axis] + slack) return false;
     size = std::max(size, (*high)[axis] - (*low)[axis]);
   }
@@ -103,8 +102,12 @@ SolidBox bounding_box(const Mesh& mesh) {
 }
 
 std::array<std::array<SolidPoint, 4>, 24> tetrahedra_of(const Mesh& mesh, const MeshCell& cell) {
-  static constexpr std::array<std::array<std::size_t, 4>, 6> sides{
-      {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}}; // anticlockwise from outside
+  static constexpr std::array<std::array<std::size_t, 4>, 6> sides{{{0, 3, 2, 1},
+                                                                    {4, 5, 6, 7},
+                                                                    {0, 1, 5, 4},
+                                                                    {1, 2, 6, 5},
+                                                                    {2, 3, 7, 6},
+                                                                    {3, 0, 4, 7}}}; // anticlockwise from outside
   const std::array<SolidPoint, 8> corners = corner_points(mesh, cell);
   const SolidPoint center = middle(corners);
   std::array<std::array<SolidPoint, 4>, 24> tetrahedra;

@@ -18,7 +18,7 @@ std::vector<std::vector<unsigned>> sides_of(const Mesh& mesh, const MeshCell& ce
 
 /// A side of one cell or more.
 struct MeshSide {
-  std::vector<unsigned> nodes{};   ///< as the first of its cells has it
+  std::vector<unsigned> nodes{};    ///< as the first of its cells has it
   std::vector<std::size_t> cells{}; ///< places in Mesh::cells
 };
 std::map<SideKey, MeshSide> all_sides(const Mesh& mesh);

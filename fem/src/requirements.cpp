@@ -64,6 +64,17 @@ void require_stiffness(const exchange::Case& study, const std::string& name) {
                           .remedy = "give an attraction that is small against the stresses to come"});
 }
 
+/// Cells of a mesh in space may lie anywhere beside one another; which of them lie on which is not looked into.
+void require_frozen_solid(const exchange::Case& study) {
+  if (study.fem.kinematics == exchange::Kinematics::small || study.construction.layers == 1) return;
+  throw exchange::InputError(
+      exchange::Complaint{.where = study.where("fem.kinematics"),
+                          .what = "finite elements at finite strain place a single layer of a mesh in space",
+                          .given = fmt::format("{} layers with fem.kinematics = \"finite\"", study.construction.layers),
+                          .allowed = "\"small\"",
+                          .remedy = "use fem.kinematics = \"small\""});
+}
+
 bool builds_of(const exchange::Case& study, const exchange::Material& material) {
   return any_layer(study, [&](const exchange::Material& of_layer) { return &of_layer == &material; });
 }
@@ -112,6 +123,7 @@ std::array<unsigned, 3> cells_along_axes(const exchange::Case& study) {
 std::size_t number_of_cells(const exchange::Case& study) {
   if (study.geometry.shape == exchange::Shape::point) return 0;
   if (study.geometry.valley) return valley_section(study).cells.size() * slices_across_valley(study);
+  if (study.geometry.solid_mesh()) return study.geometry.mesh->cells.size();
   if (study.geometry.drawn())
     return mesh_polygons(study).cells.size() * (study.geometry.dimension == 3 ? slices_along_depth(study) : 1);
   const std::array<unsigned, 3> along = cells_along_axes(study);
@@ -126,6 +138,7 @@ void require_solvable(const exchange::Case& study) {
     static_cast<void>(number_of_cells(study));
     return;
   }
+  if (study.geometry.solid_mesh()) return require_frozen_solid(study);
   const PlaneMesh mesh = mesh_polygons(study);
   require_supports_at_nodes(study, mesh);
   require_stages(study, mesh);
