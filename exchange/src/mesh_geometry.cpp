@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 
+#include "mesh_sides.hpp"
 #include "solid_vectors.hpp"
 
 namespace settle::exchange {
@@ -88,16 +89,37 @@ bool holds(const std::array<SolidPoint, 8>& corners, const SolidPoint& point, do
                              [beyond](double x) { return x >= -2.0 * beyond && x <= 1.0 + 2.0 * beyond; });
 }
 
+SolidBox nothing() {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  return {{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
+}
+
+void enlarge(SolidBox& box, const SolidPoint& point) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    box.lowest[axis] = std::min(box.lowest[axis], point[axis]);
+    box.highest[axis] = std::max(box.highest[axis], point[axis]);
+  }
+}
+
+/// The height of a triangle above a place in plan; nothing where it is upright or does not reach there.
+std::optional<double> height_at(const std::array<SolidPoint, 3>& triangle, double x, double y) {
+  const auto& [a, b, c] = triangle;
+  const double doubled = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+  const double scale = length(b - a) * length(c - a);
+  constexpr double round_off = 1e-9;
+  if (std::abs(doubled) <= round_off * scale) return {};
+  const double of_b = ((x - a[0]) * (c[1] - a[1]) - (y - a[1]) * (c[0] - a[0])) / doubled;
+  const double of_c = ((b[0] - a[0]) * (y - a[1]) - (b[1] - a[1]) * (x - a[0])) / doubled;
+  if (of_b < -round_off || of_c < -round_off || of_b + of_c > 1.0 + round_off) return {};
+  return a[2] + of_b * (b[2] - a[2]) + of_c * (c[2] - a[2]);
+}
+
 } // namespace
 
 SolidBox bounding_box(const Mesh& mesh) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  SolidBox box{{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
+  SolidBox box = nothing();
   for (const SolidPoint& node : mesh.nodes)
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      box.lowest[axis] = std::min(box.lowest[axis], node[axis]);
-      box.highest[axis] = std::max(box.highest[axis], node[axis]);
-    }
+    enlarge(box, node);
   return box;
 }
 
@@ -132,6 +154,26 @@ double layer_volume(const Mesh& mesh, int layer) {
   for (const MeshCell& cell : mesh.cells)
     if (cell.layer == layer) sum += volume(mesh, cell);
   return sum;
+}
+
+LayerOfMesh::LayerOfMesh(const Mesh& mesh, int layer) : box_(nothing()) {
+  for (const auto& [key, side] : all_sides(mesh)) {
+    const auto own = std::count_if(side.cells.begin(), side.cells.end(),
+                                   [&](std::size_t cell) { return mesh.cells[cell].layer == layer; });
+    if (own != 1) continue;
+    std::array<SolidPoint, 4> corners;
+    for (std::size_t c = 0; c < 4; ++c)
+      enlarge(box_, corners[c] = mesh.nodes[side.nodes[c]]);
+    for (std::size_t c = 0; c < 4; ++c)
+      surface_.push_back({middle(corners), corners[c], corners[(c + 1) % 4]});
+  }
+}
+
+std::optional<double> LayerOfMesh::lower_side(double x, double y) const {
+  std::optional<double> lowest;
+  for (const auto& triangle : surface_)
+    if (const auto height = height_at(triangle, x, y); height && (!lowest || *height < *lowest)) lowest = height;
+  return lowest;
 }
 
 std::vector<int> layers_at(const Mesh& mesh, const SolidPoint& point, double slack) {

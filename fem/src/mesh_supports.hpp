@@ -24,7 +24,7 @@ private:
     std::vector<unsigned> nodes;
   };
 
-  std::vector<Side> sides_;                     ///< by their boundaries
+  std::vector<Side> sides_;                       ///< by their boundaries
   std::vector<std::vector<std::size_t>> at_node_; ///< sides, in their order, of each node of the mesh
 };
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "settle/exchange/case.hpp"
@@ -32,5 +33,19 @@ double layer_volume(const Mesh& mesh, int layer);
 /// The layers whose cells, trilinear between their nodes, hold the point, not further than `slack` outside [m]; several
 /// on an interface; ascending.
 std::vector<int> layers_at(const Mesh& mesh, const SolidPoint& point, double slack);
+
+/// What one layer of hexahedra fills.
+class LayerOfMesh {
+public:
+  LayerOfMesh(const Mesh& mesh, int layer);
+
+  [[nodiscard]] const SolidBox& box() const { return box_; }
+  /// Where a vertical line meets the layer first, from below [m]; nothing where it does not.
+  [[nodiscard]] std::optional<double> lower_side(double x, double y) const;
+
+private:
+  SolidBox box_;
+  std::vector<std::array<SolidPoint, 3>> surface_; ///< triangles around the middle of every outer side
+};
 
 } // namespace settle::exchange
