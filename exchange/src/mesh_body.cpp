@@ -108,9 +108,10 @@ MeshCell cell_of(const GmshElement& element, const MeshGroups& groups, const Gms
   return cell;
 }
 
-/// Nodes that no cell has are left out.
-void renumber(Mesh& mesh) {
-  constexpr unsigned unused = ~0U;
+constexpr unsigned unused = ~0U;
+
+/// Nodes that no cell has are left out. Returns the new number of each, or `unused`.
+std::vector<unsigned> renumber(Mesh& mesh) {
   std::vector<unsigned> number(mesh.nodes.size(), unused);
   std::vector<std::array<double, 3>> nodes;
   const std::size_t corners = mesh.dimension == 2 ? 4 : 8;
@@ -123,11 +124,8 @@ void renumber(Mesh& mesh) {
       }
       node = number[node];
     }
-  for (MeshBoundary& boundary : mesh.boundaries)
-    for (std::vector<unsigned>& side : boundary.sides)
-      for (unsigned& node : side)
-        node = number[node];
   mesh.nodes = std::move(nodes);
+  return number;
 }
 
 bool lies_across_an_axis(const Mesh& mesh, const std::vector<unsigned>& side, double slack) {
@@ -156,6 +154,35 @@ void add_side(const GmshElement& element, const std::map<SideKey, MeshSide>& sid
                                     .allowed = "boundaries at right angles to x, y or z",
                                     .remedy = "name it in geometry.mesh.fixed, or leave it free"});
   boundary.sides.push_back(side->second.nodes);
+}
+
+void add_sides(const GmshFile& file, const MeshGroups& groups, const std::vector<unsigned>& number, Mesh& mesh,
+               const MeshPlace& place) {
+  const std::map<SideKey, MeshSide> sides = all_sides(mesh);
+  for (GmshElement element : file.elements) {
+    if (element.dimension != mesh.dimension - 1) continue;
+    const auto boundary = entry_of(element, groups.boundary_of, place);
+    if (boundary == groups.boundary_of.end()) continue;
+    for (unsigned& node : element.nodes)
+      node = number[node];
+    add_side(element, sides, mesh.boundaries[boundary->second], mesh, place);
+  }
+}
+
+/// No group that the case names is a name alone.
+void require_filled_groups(const Case& study, const MeshPlace& place) {
+  const Mesh& mesh = *study.geometry.mesh;
+  const auto refuse_empty = [&](const std::string& name) {
+    refuse_mesh(place.file, {.what = fmt::format("the physical group \"{}\" has no elements", name),
+                             .given = {},
+                             .allowed = "groups of what is meshed",
+                             .remedy = "mesh what is in it, and save it: Mesh.SaveAll = 0"});
+  };
+  for (int layer = 1; layer <= study.construction.layers; ++layer)
+    if (std::none_of(mesh.cells.begin(), mesh.cells.end(), [&](const MeshCell& cell) { return cell.layer == layer; }))
+      refuse_empty(group_of_layer(mesh, layer));
+  for (const MeshBoundary& boundary : mesh.boundaries)
+    if (boundary.sides.empty()) refuse_empty(boundary.name);
 }
 
 void require_plane(const Case& study, const MeshPlace& place) {
@@ -188,19 +215,15 @@ void build_mesh(Case& study, Reading& reading) {
   mesh.dimension = dimension_of(file, place);
   const MeshGroups groups = find_groups(study, file, reading);
   reading.throw_if_any();
-  mesh.nodes = std::move(file.nodes);
+  mesh.nodes = file.nodes;
   mesh.cells.clear();
   for (const GmshElement& element : file.elements)
     if (element.dimension == mesh.dimension) mesh.cells.push_back(cell_of(element, groups, file, mesh, place));
-  const std::map<SideKey, MeshSide> sides = all_sides(mesh);
-  for (const GmshElement& element : file.elements) {
-    if (element.dimension != mesh.dimension - 1) continue;
-    const auto boundary = entry_of(element, groups.boundary_of, place);
-    if (boundary != groups.boundary_of.end()) add_side(element, sides, mesh.boundaries[boundary->second], mesh, place);
-  }
-  renumber(mesh);
+  const std::vector<unsigned> number = renumber(mesh);
   require_plane(study, place);
   require_conforming(mesh, place.file);
+  add_sides(file, groups, number, mesh, place);
+  require_filled_groups(study, place);
 }
 
 } // namespace settle::exchange

@@ -89,18 +89,6 @@ bool holds(const std::array<SolidPoint, 8>& corners, const SolidPoint& point, do
                              [beyond](double x) { return x >= -2.0 * beyond && x <= 1.0 + 2.0 * beyond; });
 }
 
-SolidBox nothing() {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  return {{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
-}
-
-void enlarge(SolidBox& box, const SolidPoint& point) {
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    box.lowest[axis] = std::min(box.lowest[axis], point[axis]);
-    box.highest[axis] = std::max(box.highest[axis], point[axis]);
-  }
-}
-
 /// The height of a triangle above a place in plan; nothing where it is upright or does not reach there.
 std::optional<double> height_at(const std::array<SolidPoint, 3>& triangle, double x, double y) {
   const auto& [a, b, c] = triangle;
@@ -117,7 +105,7 @@ std::optional<double> height_at(const std::array<SolidPoint, 3>& triangle, doubl
 } // namespace
 
 SolidBox bounding_box(const Mesh& mesh) {
-  SolidBox box = nothing();
+  SolidBox box = empty_box();
   for (const SolidPoint& node : mesh.nodes)
     enlarge(box, node);
   return box;
@@ -156,7 +144,7 @@ double layer_volume(const Mesh& mesh, int layer) {
   return sum;
 }
 
-LayerOfMesh::LayerOfMesh(const Mesh& mesh, int layer) : box_(nothing()) {
+LayerOfMesh::LayerOfMesh(const Mesh& mesh, int layer) : box_(empty_box()) {
   for (const auto& [key, side] : all_sides(mesh)) {
     const auto own = std::count_if(side.cells.begin(), side.cells.end(),
                                    [&](std::size_t cell) { return mesh.cells[cell].layer == layer; });

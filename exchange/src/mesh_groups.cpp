@@ -124,6 +124,11 @@ std::string names_of_groups(const GmshFile& file, int dimension) {
   return names.empty() ? "none: the file has no such group with a name" : fmt::format("{}", fmt::join(names, ", "));
 }
 
+const std::string& group_of_layer(const Mesh& mesh, int layer) {
+  const auto place = static_cast<std::size_t>(layer - 1);
+  return place < mesh.ground.size() ? mesh.ground[place] : mesh.layers[place - mesh.ground.size()];
+}
+
 MeshGroups find_groups(Case& study, const GmshFile& file, Reading& reading) {
   Mesh& mesh = *study.geometry.mesh;
   MeshGroups groups;

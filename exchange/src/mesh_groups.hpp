@@ -31,6 +31,9 @@ struct MeshGroups {
 /// or stand twice, and about layers and materials that do not fit the case.
 MeshGroups find_groups(Case& study, const GmshFile& file, Reading& reading);
 
+/// The name of a layer's group.
+const std::string& group_of_layer(const Mesh& mesh, int layer);
+
 /// "lift-1, lift-2": the groups of a dimension that the file has.
 std::string names_of_groups(const GmshFile& file, int dimension);
 

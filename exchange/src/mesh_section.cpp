@@ -2,17 +2,18 @@
 #include <cmath>
 
 #include "mesh_body.hpp"
+#include "mesh_groups.hpp"
 #include "mesh_outline.hpp"
 #include "settle/exchange/document.hpp"
 #include "settle/exchange/mesh_geometry.hpp"
 #include "settle/exchange/plane_geometry.hpp"
+#include "solid_vectors.hpp"
 
 namespace settle::exchange {
 namespace {
 
 std::string material_of_group(const Mesh& mesh, int layer) {
-  const auto place = static_cast<std::size_t>(layer - 1);
-  const std::string& group = place < mesh.ground.size() ? mesh.ground[place] : mesh.layers[place - mesh.ground.size()];
+  const std::string& group = group_of_layer(mesh, layer);
   const auto text = mesh.materials.find(group);
   if (text == mesh.materials.end()) return {};
   return std::get<std::string>(document::parse_value(text->second, group).data);
@@ -75,6 +76,18 @@ void add_lines(const Mesh& mesh, const MeshBoundary& boundary, std::vector<Suppo
   }
 }
 
+/// Of a mesh in space.
+Support seen_along_y(const Mesh& mesh, const MeshBoundary& boundary) {
+  SolidBox box = empty_box();
+  for (const auto& side : boundary.sides)
+    for (const unsigned node : side)
+      enlarge(box, mesh.nodes[node]);
+  return {.from = {box.lowest[0], box.lowest[2]},
+          .to = {box.highest[0], box.highest[2]},
+          .held = boundary.fixed ? Held::both : Held::x,
+          .boundary = boundary.name};
+}
+
 } // namespace
 
 void draw_mesh(Case& study) {
@@ -88,7 +101,7 @@ void draw_mesh(Case& study) {
     if (mesh.dimension == 2)
       add_lines(mesh, boundary, study.supports);
     else
-      study.supports.push_back({.from = {}, .to = {}, .boundary = boundary.name});
+      study.supports.push_back(seen_along_y(mesh, boundary));
   }
 }
 

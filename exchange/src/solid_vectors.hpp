@@ -1,8 +1,10 @@
 /// \file
-/// Vectors in space, of plain numbers.
+/// Vectors and boxes in space, of plain numbers.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "settle/exchange/mesh_geometry.hpp"
 
@@ -22,6 +24,19 @@ inline SolidPoint cross(const SolidPoint& a, const SolidPoint& b) {
 
 inline double length(const SolidPoint& a) {
   return std::sqrt(dot(a, a));
+}
+
+/// That anything enlarges.
+inline SolidBox empty_box() {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  return {{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
+}
+
+inline void enlarge(SolidBox& box, const SolidPoint& point) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    box.lowest[axis] = std::min(box.lowest[axis], point[axis]);
+    box.highest[axis] = std::max(box.highest[axis], point[axis]);
+  }
 }
 
 } // namespace settle::exchange

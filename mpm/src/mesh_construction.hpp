@@ -37,7 +37,7 @@ private:
   [[nodiscard]] bool stands_for(const Side& side, const Vector<3>& node) const;
 
   double size_;
-  std::vector<Side> sides_; ///< by their boundaries
+  std::vector<Side> sides_;                         ///< by their boundaries
   std::map<Square, std::vector<std::size_t>> near_; ///< sides, in their order, that may stand for nodes there
 };
 

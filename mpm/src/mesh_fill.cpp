@@ -128,8 +128,7 @@ private:
 
 std::vector<Piece<3>> cut_mesh(const exchange::Mesh& mesh, int layer, const Lattice<3>& lattice) {
   const Pieces pieces(mesh, layer, lattice);
-  const LatticeFill fill(lattice,
-                         [&](const Vector<3>& corner, double size) { return pieces.part_in(corner, size); });
+  const LatticeFill fill(lattice, [&](const Vector<3>& corner, double size) { return pieces.part_in(corner, size); });
   return fill.pieces(pieces.lowest(), pieces.highest());
 }
 

@@ -133,10 +133,10 @@ inline File solid_block(const Block& counts, const Place& place = {}) {
         const auto side = [&](bool is_outer, int group, const std::vector<int>& nodes) {
           if (is_outer) file.elements.push_back({3, group, nodes});
         };
-        file.elements.push_back({5,
-                                 k + 1,
-                                 {at(0, 0, 0), at(1, 0, 0), at(1, 1, 0), at(0, 1, 0), at(0, 0, 1), at(1, 0, 1),
-                                  at(1, 1, 1), at(0, 1, 1)}});
+        file.elements.push_back(
+            {5,
+             k + 1,
+             {at(0, 0, 0), at(1, 0, 0), at(1, 1, 0), at(0, 1, 0), at(0, 0, 1), at(1, 0, 1), at(1, 1, 1), at(0, 1, 1)}});
         side(k == 0, 11, {at(0, 0, 0), at(1, 0, 0), at(1, 1, 0), at(0, 1, 0)});
         side(i == 0, 12, {at(0, 0, 0), at(0, 1, 0), at(0, 1, 1), at(0, 0, 1)});
         side(i == nx - 1, 13, {at(1, 0, 0), at(1, 1, 0), at(1, 1, 1), at(1, 0, 1)});

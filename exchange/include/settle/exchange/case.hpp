@@ -270,7 +270,7 @@ struct Geometry {
 
 /// A straight part of the boundary of polygons that is held. A column has its oedometer without being told. Those of a
 /// mesh are made by `read_case`: of a section one for each straight part of its boundaries that are held; in space one
-/// for each boundary, in their order, without place.
+/// for each boundary, in their order, from end to end of what it reaches along x and z.
 struct Support {
   std::vector<double> from{}, to{}; ///< (2) its ends [m]
   Held held = Held::both;
