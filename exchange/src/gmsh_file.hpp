@@ -1,5 +1,7 @@
 /// \file
-/// What is in a mesh file of Gmsh, as text (ASCII) of version 2.2 or 4.1 of its format.
+/// What is in a mesh file of Gmsh, as text (ASCII) of version 2.2 or 4.1 of its format. It is read here so that both
+/// solvers have the same mesh and say the same of a wrong one: deal.II reads it for itself alone, and the library of
+/// Gmsh is a mesh generator with OpenCASCADE, of whose format four sections are needed.
 #pragma once
 
 #include <array>
