@@ -35,14 +35,16 @@ public:
   Finder(const Case& study, const GmshFile& file, Reading& reading) : study_(study), file_(file), reading_(reading) {}
 
   /// The number of a group of a dimension; nothing where there is none.
-  std::optional<int> number_of(const std::string& name, int dimension, const std::string& key) {
+  std::optional<int> number_of(const std::string& name, int dimension, const std::string& list, std::size_t place) {
+    const std::string key = fmt::format("geometry.mesh.{}.{}", list, place);
+    const std::string where = study_.where("geometry.mesh." + list);
     const char* kind = dimension == study_.geometry.mesh->dimension ? cells_of(dimension) : sides_of(dimension + 1);
     const auto group = std::find_if(file_.names.begin(), file_.names.end(), [&](const auto& entry) {
       return entry.first.first == dimension && entry.second == name;
     });
     if (group == file_.names.end()) {
       const auto nearest = nearest_spelling(name, names_in(file_, dimension));
-      reading_.complain({.where = study_.where(key),
+      reading_.complain({.where = where,
                          .what = fmt::format("{} names a physical group of {} that is not in the mesh", key, kind),
                          .given = name,
                          .allowed = names_of_groups(file_, dimension),
@@ -51,7 +53,7 @@ public:
       return {};
     }
     if (!seen_.insert({dimension, group->first.second}).second) {
-      reading_.complain({.where = study_.where(key),
+      reading_.complain({.where = where,
                          .what = fmt::format("{} names a physical group a second time", key),
                          .given = name,
                          .allowed = "each group once",
@@ -68,17 +70,12 @@ private:
   std::set<std::pair<int, int>> seen_;
 };
 
-/// Ground first, each with its key.
-std::vector<std::pair<std::string, std::string>> names_of_layers(const Mesh& mesh) {
-  std::vector<std::pair<std::string, std::string>> names;
-  for (std::size_t i = 0; i < mesh.ground.size(); ++i)
-    names.emplace_back(mesh.ground[i], fmt::format("geometry.mesh.ground.{}", i));
-  for (std::size_t i = 0; i < mesh.layers.size(); ++i)
-    names.emplace_back(mesh.layers[i], fmt::format("geometry.mesh.layers.{}", i));
-  return names;
+std::size_t number_of_layers(const Mesh& mesh) {
+  return mesh.ground.size() + mesh.layers.size();
 }
 
-void check_number_of_layers(const Case& study, std::size_t named, Reading& reading) {
+void check_number_of_layers(const Case& study, Reading& reading) {
+  const std::size_t named = number_of_layers(*study.geometry.mesh);
   if (static_cast<std::size_t>(study.construction.layers) == named) return;
   reading.complain({.where = study.where("construction.layers"),
                     .what = "construction.layers is not the number of the groups that are layers",
@@ -88,10 +85,13 @@ void check_number_of_layers(const Case& study, std::size_t named, Reading& readi
 }
 
 void check_materials_of_groups(const Case& study, Reading& reading) {
-  const auto layers = names_of_layers(*study.geometry.mesh);
-  for (const auto& [group, text] : study.geometry.mesh->materials) {
+  const Mesh& mesh = *study.geometry.mesh;
+  const auto names = [](const std::vector<std::string>& list, const std::string& group) {
+    return std::find(list.begin(), list.end(), group) != list.end();
+  };
+  for (const auto& [group, text] : mesh.materials) {
     const std::string key = "geometry.mesh.materials";
-    if (std::none_of(layers.begin(), layers.end(), [&](const auto& layer) { return layer.first == group; }))
+    if (!names(mesh.ground, group) && !names(mesh.layers, group))
       reading.complain({.where = study.where(key),
                         .what = key + " gives a material to a group that is no layer",
                         .given = group,
@@ -133,21 +133,22 @@ MeshGroups find_groups(Case& study, const GmshFile& file, Reading& reading) {
   Mesh& mesh = *study.geometry.mesh;
   MeshGroups groups;
   Finder finder(study, file, reading);
-  const auto layers = names_of_layers(mesh);
-  for (std::size_t i = 0; i < layers.size(); ++i)
-    if (const auto number = finder.number_of(layers[i].first, mesh.dimension, layers[i].second))
-      groups.layer_of[*number] = static_cast<int>(i) + 1;
+  for (std::size_t i = 0; i < number_of_layers(mesh); ++i) {
+    const bool is_ground = i < mesh.ground.size();
+    const auto number = finder.number_of(group_of_layer(mesh, static_cast<int>(i) + 1), mesh.dimension,
+                                         is_ground ? "ground" : "layers", is_ground ? i : i - mesh.ground.size());
+    if (number) groups.layer_of[*number] = static_cast<int>(i) + 1;
+  }
   mesh.boundaries.clear();
   for (const bool fixed : {true, false}) {
     const std::vector<std::string>& names = fixed ? mesh.fixed : mesh.roller;
     for (std::size_t i = 0; i < names.size(); ++i) {
-      const std::string key = fmt::format("geometry.mesh.{}.{}", fixed ? "fixed" : "roller", i);
-      if (const auto number = finder.number_of(names[i], mesh.dimension - 1, key))
+      if (const auto number = finder.number_of(names[i], mesh.dimension - 1, fixed ? "fixed" : "roller", i))
         groups.boundary_of[*number] = mesh.boundaries.size();
       mesh.boundaries.push_back({.name = names[i], .fixed = fixed});
     }
   }
-  check_number_of_layers(study, layers.size(), reading);
+  check_number_of_layers(study, reading);
   check_materials_of_groups(study, reading);
   return groups;
 }

@@ -307,7 +307,8 @@ TEST(Mesh, GroupsThatDoNotFitTheCaseAreRefused) {
   const auto refused = [&](const std::vector<std::string>& overrides) { return complaint_about(text, overrides); };
   EXPECT_THAT(refused({"geometry.mesh.layers=[\"lift-1\", \"lfit-2\"]"}),
               AllOf(HasSubstr("lfit-2"), HasSubstr("lift-1, lift-2"), HasSubstr("did you mean lift-2?")));
-  EXPECT_THAT(refused({"geometry.mesh.fixed=[\"bottom\"]"}), HasSubstr("base, left, right"));
+  EXPECT_THAT(refused({"geometry.mesh.fixed=[\"bottom\"]"}),
+              AllOf(HasSubstr("--set geometry.mesh.fixed"), HasSubstr("base, left, right")));
   EXPECT_THAT(refused({"geometry.mesh.layers=[\"lift-1\"]", "construction.layers=1"}),
               AllOf(HasSubstr("belongs to no layer"), HasSubstr("physical group lift-2")));
   EXPECT_THAT(refused({"geometry.mesh.layers=[\"lift-1\", \"lift-1\"]"}), HasSubstr("a second time"));

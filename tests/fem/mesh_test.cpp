@@ -109,8 +109,7 @@ TEST_P(MeshOfABank, IsTheSameAsItsCellsDrawn) {
   EXPECT_NEAR(meshed[0].mass, 2000.0 * 3.6, 1e-9);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, MeshOfABank,
-                         ::testing::Values(exchange::Kinematics::small, exchange::Kinematics::finite),
+INSTANTIATE_TEST_SUITE_P(All, MeshOfABank, ::testing::Values(exchange::Kinematics::small, exchange::Kinematics::finite),
                          [](const auto& parameter) { return std::string(exchange::name_of(parameter.param)); });
 
 /// Hexahedra one deep between rollers against the section, extruded by the program.
@@ -157,7 +156,8 @@ TEST(MeshOfHexahedra, IsHeldAtEdgesOfFixedSides) {
   mesh.elements.erase(std::find_if(mesh.elements.begin(), mesh.elements.end(), [](const gmsh::Element& element) {
     return element.type == 3 && element.group == 11 && element.nodes.front() == 2; // of the right cell
   }));
-  const exchange::Case study = read(mesh, counts, without_rollers, "[probes.foot]\nfrom = [0, 1, 0]\nto = [2, 1, 0]\npoints = 3\n");
+  const exchange::Case study =
+      read(mesh, counts, without_rollers, "[probes.foot]\nfrom = [0, 1, 0]\nto = [2, 1, 0]\npoints = 3\n");
   const auto foot = solve(study).back().probes.at("foot");
   EXPECT_EQ(vertical(foot.displacement, 1, 3), 0.0);
   EXPECT_LT(vertical(foot.displacement, 2, 3), -1e-6);

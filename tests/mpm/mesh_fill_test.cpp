@@ -7,6 +7,8 @@
 #include "gmsh_text.hpp"
 #include "settle/exchange/case_io.hpp"
 #include "settle/exchange/mesh_geometry.hpp"
+#include "settle/exchange/valley.hpp"
+#include "settle/mpm/valley_fill.hpp"
 
 using namespace settle;
 using namespace settle::mpm;
@@ -52,6 +54,25 @@ TEST(MeshFill, KeepsTheFirstMomentButForSlivers) {
   const exchange::Mesh mesh = mesh_of([](Position& node) { node[0] += 0.3 * node[2] - 0.2 * node[1]; });
   const Piece<3> filled = sum(cut_mesh(mesh, 1, {{0.013, 0.02, 0.0}, 0.1, 2}));
   EXPECT_NEAR((filled.centroid - Vector<3>(1.5 + 0.15 - 0.2, 1.0, 0.5)).norm(), 0.0, 1e-4);
+}
+
+/// Slopes along x and flanks along y, whose pieces are known in closed form; no volume is one at which pieces are
+/// joined.
+TEST(MeshFill, OfADamInAValleyIsWhatItsClosedFormCuts) {
+  exchange::Geometry dam{.dimension = 3};
+  dam.embankment = exchange::Embankment{.height = 2.0, .crest = 1.3, .slopes = {2.03, 1.27}};
+  dam.valley = exchange::Valley{.bottom = 0.91, .slopes = {0.63, 1.11}};
+  const auto form = [&](Position& node) {
+    const exchange::Span x = exchange::fill_at(*dam.embankment, node[2]), y = exchange::valley_at(*dam.valley, node[2]);
+    node = {x.from + node[0] / 3.0 * x.width(), y.from + node[1] / 2.0 * y.width(), node[2]};
+  };
+  const Lattice<3> lattice{{-6.017, -3.013, 0.0}, 0.37, 2};
+  const std::vector<Piece<3>> meshed = cut_mesh(mesh_of(form), 2, lattice), exact = cut_dam(dam, {1.0, 2.0}, lattice);
+  ASSERT_EQ(meshed.size(), exact.size());
+  for (std::size_t i = 0; i < exact.size(); ++i) {
+    EXPECT_NEAR(meshed[i].volume, exact[i].volume, 1e-12);
+    EXPECT_NEAR((meshed[i].centroid - exact[i].centroid).norm(), 0.0, 1e-9);
+  }
 }
 
 TEST(MeshFill, OfAlignedCubesIsTheLattice) {

@@ -31,7 +31,8 @@ element_size = 0.5
 increments = 2
 )";
 
-exchange::Case read(const gmsh::File& mesh, const Block& counts, Overrides overrides = {}, const std::string& more = {}) {
+exchange::Case read(const gmsh::File& mesh, const Block& counts, Overrides overrides = {},
+                    const std::string& more = {}) {
   overrides.push_back(counts.deep > 0 ? "mpm.element=hexahedron" : "mpm.element=quadrilateral");
   return exchange::parse_case(gmsh::case_of(mesh.text(), counts, of_mpm + more), "block.toml", overrides);
 }
@@ -65,8 +66,8 @@ TEST(MeshOfAColumn, SettlesAsTheClosedForm) {
 }
 
 TEST(MeshOfABank, IsTheSameAsItsOutlineDrawn) {
-  const exchange::Case study = read(gmsh::plane_block({.across = 4}, make_bank), {.across = 4},
-                                    {"geometry.mesh.roller=[]"}, axis_in_plane);
+  const exchange::Case study =
+      read(gmsh::plane_block({.across = 4}, make_bank), {.across = 4}, {"geometry.mesh.roller=[]"}, axis_in_plane);
   exchange::Case drawn = study;
   drawn.geometry.shape = exchange::Shape::polygons;
   drawn.geometry.mesh.reset();
@@ -106,8 +107,8 @@ TEST(MeshOfHexahedra, IsItsSectionBetweenRollers) {
   const exchange::Case solid = read(gmsh::solid_block(counts), counts, direct);
   Overrides extruded = direct;
   extruded.insert(extruded.end(), {"geometry.dimension=3", "geometry.depth=1"});
-  const exchange::Case section = exchange::parse_case(
-      gmsh::case_of(gmsh::plane_block({}).text(), {}, of_mpm), "section.toml", extruded);
+  const exchange::Case section =
+      exchange::parse_case(gmsh::case_of(gmsh::plane_block({}).text(), {}, of_mpm), "section.toml", extruded);
   const auto body = stages_of(solid), drawn = stages_of(section);
   for (std::size_t k = 0; k < 2; ++k) {
     ASSERT_EQ(body[k].points.size(), drawn[k].points.size());
