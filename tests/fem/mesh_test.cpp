@@ -163,6 +163,15 @@ TEST(MeshOfHexahedra, IsHeldAtEdgesOfFixedSides) {
   EXPECT_LT(vertical(foot.displacement, 2, 3), -1e-6);
 }
 
+TEST(MeshOfHexahedra, BulgesWhereItIsFree) {
+  const Block counts{.across = 1, .deep = 1};
+  const auto stages = solve(read(solid_block(counts), counts, {"geometry.mesh.roller=[\"left\", \"right\"]"},
+                                 "[probes.through]\nfrom = [0.5, 0, 1]\nto = [0.5, 1, 1]\npoints = 2\n"));
+  const std::vector<double> through = stages.front().probes.at("through").displacement;
+  EXPECT_LT(through[1], -1e-6);
+  EXPECT_NEAR(through[4], -through[1], 1e-12);
+}
+
 TEST(MeshOfHexahedra, AtFiniteStrainHasASingleLayer) {
   const Block counts{.deep = 1};
   const exchange::Case study = read(solid_block(counts), counts, {"fem.kinematics=finite"});

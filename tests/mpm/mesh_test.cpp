@@ -117,6 +117,15 @@ TEST(MeshOfHexahedra, IsItsSectionBetweenRollers) {
   }
 }
 
+TEST(MeshOfHexahedra, BulgesWhereItIsFree) {
+  const Block counts{.across = 1, .deep = 1, .layers = 1};
+  const auto stages = stages_of(read(gmsh::solid_block(counts), counts, {"geometry.mesh.roller=[\"left\", \"right\"]"},
+                                     "[probes.through]\nfrom = [0.5, 0, 0.75]\nto = [0.5, 1, 0.75]\npoints = 2\n"));
+  const std::vector<double> through = stages.back().probes.at("through").displacement;
+  EXPECT_LT(through[1], -1e-6);
+  EXPECT_NEAR(through[4], -through[1], 1e-3 * std::abs(through[1]));
+}
+
 class MeshInSpace : public ::testing::TestWithParam<std::string> {
 protected:
   /// Slopes along x and flanks along y, all of them at an angle to the grid.
