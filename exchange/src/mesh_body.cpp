@@ -12,6 +12,7 @@
 #include "mesh_conformity.hpp"
 #include "mesh_groups.hpp"
 #include "mesh_sides.hpp"
+#include "solid_vectors.hpp"
 
 namespace settle::exchange {
 namespace {
@@ -128,7 +129,9 @@ std::vector<unsigned> renumber(Mesh& mesh) {
   return number;
 }
 
-bool lies_across_an_axis(const Mesh& mesh, const std::vector<unsigned>& side, double slack) {
+bool lies_across_an_axis(const Mesh& mesh, const std::vector<unsigned>& side) {
+  const auto distance = [&](unsigned a, unsigned b) { return length(mesh.nodes[b] - mesh.nodes[a]); };
+  const double slack = 1e-7 * distance(side.front(), side.back()); // nodes on a line are one to some digits
   for (std::size_t axis = 0; axis < static_cast<std::size_t>(mesh.dimension); ++axis) {
     const double first = mesh.nodes[side[0]][axis];
     if (std::all_of(side.begin(), side.end(),
@@ -148,7 +151,7 @@ void add_side(const GmshElement& element, const std::map<SideKey, MeshSide>& sid
          .given = fmt::format("a side of {} cells", side == sides.end() ? 0 : side->second.cells.size()),
          .allowed = "sides of one cell: the boundary of the body as it is in the end",
          .remedy = "take the curve, or surface, out of the group in Gmsh"});
-  if (!boundary.fixed && !lies_across_an_axis(mesh, side->second.nodes, mesh_slack(mesh)))
+  if (!boundary.fixed && !lies_across_an_axis(mesh, side->second.nodes))
     refuse_mesh(place.of(element), {.what = fmt::format("the roller \"{}\" does not lie across an axis", boundary.name),
                                     .given = fmt::format("element {}", element.tag),
                                     .allowed = "boundaries at right angles to x, y or z",
