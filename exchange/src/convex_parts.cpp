@@ -4,7 +4,7 @@
 #include <cmath>
 #include <set>
 
-#include "mesh_sides.hpp"
+#include "settle/exchange/mesh_sides.hpp"
 
 namespace settle::exchange {
 

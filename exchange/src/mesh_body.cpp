@@ -11,7 +11,7 @@
 
 #include "mesh_conformity.hpp"
 #include "mesh_groups.hpp"
-#include "mesh_sides.hpp"
+#include "settle/exchange/mesh_sides.hpp"
 #include "solid_vectors.hpp"
 
 namespace settle::exchange {

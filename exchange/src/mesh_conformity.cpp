@@ -9,7 +9,7 @@
 #include <fmt/ranges.h>
 
 #include "mesh_groups.hpp"
-#include "mesh_sides.hpp"
+#include "settle/exchange/mesh_sides.hpp"
 #include "solid_vectors.hpp"
 
 namespace settle::exchange {

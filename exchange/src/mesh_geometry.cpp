@@ -6,7 +6,7 @@
 #include <optional>
 #include <set>
 
-#include "mesh_sides.hpp"
+#include "settle/exchange/mesh_sides.hpp"
 #include "solid_vectors.hpp"
 
 namespace settle::exchange {
@@ -144,23 +144,31 @@ double layer_volume(const Mesh& mesh, int layer) {
   return sum;
 }
 
-LayerOfMesh::LayerOfMesh(const Mesh& mesh, int layer) : box_(empty_box()) {
+std::optional<double> height_of_side(const Mesh& mesh, const std::vector<unsigned>& side, double x, double y) {
+  std::array<SolidPoint, 4> corners;
+  for (std::size_t c = 0; c < 4; ++c)
+    corners[c] = mesh.nodes[side[c]];
+  for (std::size_t c = 0; c < 4; ++c)
+    if (const auto height = height_at({middle(corners), corners[c], corners[(c + 1) % 4]}, x, y)) return height;
+  return {};
+}
+
+LayerOfMesh::LayerOfMesh(const Mesh& mesh, int layer) : box_(empty_box()), mesh_(mesh) {
   for (const auto& [key, side] : all_sides(mesh)) {
     const auto own = std::count_if(side.cells.begin(), side.cells.end(),
                                    [&](std::size_t cell) { return mesh.cells[cell].layer == layer; });
     if (own != 1) continue;
-    std::array<SolidPoint, 4> corners;
-    for (std::size_t c = 0; c < 4; ++c)
-      enlarge(box_, corners[c] = mesh.nodes[side.nodes[c]]);
-    for (std::size_t c = 0; c < 4; ++c)
-      surface_.push_back({middle(corners), corners[c], corners[(c + 1) % 4]});
+    for (const unsigned node : side.nodes)
+      enlarge(box_, mesh.nodes[node]);
+    surface_.push_back(side.nodes);
   }
 }
 
 std::optional<double> LayerOfMesh::lower_side(double x, double y) const {
   std::optional<double> lowest;
-  for (const auto& triangle : surface_)
-    if (const auto height = height_at(triangle, x, y); height && (!lowest || *height < *lowest)) lowest = height;
+  for (const std::vector<unsigned>& side : surface_)
+    if (const auto height = height_of_side(mesh_, side, x, y); height && (!lowest || *height < *lowest))
+      lowest = height;
   return lowest;
 }
 

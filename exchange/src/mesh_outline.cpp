@@ -6,7 +6,7 @@
 #include <set>
 
 #include "convex_parts.hpp"
-#include "mesh_sides.hpp"
+#include "settle/exchange/mesh_sides.hpp"
 
 namespace settle::exchange {
 namespace {

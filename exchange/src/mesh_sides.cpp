@@ -1,4 +1,4 @@
-#include "mesh_sides.hpp"
+#include "settle/exchange/mesh_sides.hpp"
 
 #include <algorithm>
 #include <limits>

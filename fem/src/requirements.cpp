@@ -8,6 +8,7 @@
 #include "polygon_mesh.hpp"
 #include "settle/exchange/errors.hpp"
 #include "settle/exchange/fitting_size.hpp"
+#include "solid_requirements.hpp"
 #include "stage_requirements.hpp"
 #include "support_line.hpp"
 #include "valley_mesh.hpp"
@@ -62,17 +63,6 @@ void require_stiffness(const exchange::Case& study, const std::string& name) {
                           .given = fmt::format("material.{}.attraction = 0", name),
                           .allowed = "a pressure above 0 [Pa] in a body",
                           .remedy = "give an attraction that is small against the stresses to come"});
-}
-
-/// Cells of a mesh in space may lie anywhere beside one another; which of them lie on which is not looked into.
-void require_frozen_solid(const exchange::Case& study) {
-  if (study.fem.kinematics == exchange::Kinematics::small || study.construction.layers == 1) return;
-  throw exchange::InputError(
-      exchange::Complaint{.where = study.where("fem.kinematics"),
-                          .what = "finite elements at finite strain place a single layer of a mesh in space",
-                          .given = fmt::format("{} layers with fem.kinematics = \"finite\"", study.construction.layers),
-                          .allowed = "\"small\"",
-                          .remedy = "use fem.kinematics = \"small\""});
 }
 
 bool builds_of(const exchange::Case& study, const exchange::Material& material) {
@@ -138,7 +128,10 @@ void require_solvable(const exchange::Case& study) {
     static_cast<void>(number_of_cells(study));
     return;
   }
-  if (study.geometry.solid_mesh()) return require_frozen_solid(study);
+  if (study.geometry.solid_mesh()) {
+    if (study.fem.kinematics == exchange::Kinematics::finite) require_layers_above(study);
+    return;
+  }
   const PlaneMesh mesh = mesh_polygons(study);
   require_supports_at_nodes(study, mesh);
   require_stages(study, mesh);

@@ -116,7 +116,7 @@ INSTANTIATE_TEST_SUITE_P(All, MeshOfABank, ::testing::Values(exchange::Kinematic
 TEST(MeshOfHexahedra, IsItsSectionBetweenRollers) {
   const Block counts{.across = 4, .deep = 1};
   const auto bank = [](Position& node) { node[0] = (node[0] - 2.0) * (1.0 - 0.2 * node[2]); };
-  for (const std::string element : {"fem.element=Q1", "fem.element=Q2"}) {
+  for (const std::string element : {"fem.element=Q1", "fem.element=Q2", "fem.kinematics=finite"}) {
     const exchange::Case solid =
         read(solid_block(counts, bank), counts, {"geometry.mesh.roller=[\"front\", \"back\"]", element},
              "[probes.axis]\nfrom = [0.5, 0.5, 0]\nto = [0.5, 0.5, 2]\n");
@@ -172,15 +172,37 @@ TEST(MeshOfHexahedra, BulgesWhereItIsFree) {
   EXPECT_NEAR(through[4], -through[1], 1e-12);
 }
 
-TEST(MeshOfHexahedra, AtFiniteStrainHasASingleLayer) {
-  const Block counts{.deep = 1};
-  const exchange::Case study = read(solid_block(counts), counts, {"fem.kinematics=finite"});
+/// Empty where the case can be solved.
+std::string complaint_about(const exchange::Case& study) {
   try {
     require_solvable(study);
-    FAIL() << "not refused";
   } catch (const exchange::InputError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("fem.kinematics = \"small\""));
+    return error.what();
   }
+  return {};
+}
+
+TEST(MeshOfHexahedra, AtFiniteStrainLiesAsAWholeOnWhatWasPlacedBefore) {
+  const Block counts{.deep = 1};
+  const std::vector<std::string> finite{"fem.kinematics=finite", "geometry.mesh.roller=[]"};
+  gmsh::File beside = solid_block(counts);
+  const auto layer_of_column = [&](int row_of_left, int row_of_right) {
+    for (gmsh::Element& element : beside.elements)
+      if (element.type == 5) {
+        const bool left = (element.nodes[0] - 1) % 3 == 0;
+        const int row = (element.nodes[0] - 1) / 6;
+        element.group = row == 0 ? (left ? 1 : row_of_right) : (left ? row_of_left : 2);
+      }
+  };
+  EXPECT_EQ(complaint_about(read(beside, counts, finite)), "");
+  layer_of_column(1, 2); // one beside the other
+  EXPECT_THAT(complaint_about(read(beside, counts, finite)), HasSubstr("layer 2 leans on what was placed before"));
+  gmsh::File wide = solid_block(counts);
+  std::erase_if(wide.elements, [](const gmsh::Element& element) { // nothing below the right half of layer 2
+    return (element.type == 5 && element.nodes[0] == 2) || (element.group == 11 && element.nodes[0] == 2);
+  });
+  EXPECT_THAT(complaint_about(read(wide, counts, finite)), HasSubstr("in part beside it"));
+  EXPECT_EQ(complaint_about(read(wide, counts, without_rollers)), "");
 }
 
 } // namespace settle::fem::testing

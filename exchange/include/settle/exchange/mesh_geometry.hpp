@@ -34,9 +34,14 @@ double layer_volume(const Mesh& mesh, int layer);
 /// on an interface; ascending.
 std::vector<int> layers_at(const Mesh& mesh, const SolidPoint& point, double slack);
 
+/// Where a vertical line meets a side of a hexahedron, divided around its middle [m]; nothing where it does not, and
+/// where the side is upright.
+std::optional<double> height_of_side(const Mesh& mesh, const std::vector<unsigned>& side, double x, double y);
+
 /// What one layer of hexahedra fills.
 class LayerOfMesh {
 public:
+  /// The mesh has to outlive this.
   LayerOfMesh(const Mesh& mesh, int layer);
 
   [[nodiscard]] const SolidBox& box() const { return box_; }
@@ -45,7 +50,8 @@ public:
 
 private:
   SolidBox box_;
-  std::vector<std::array<SolidPoint, 3>> surface_; ///< triangles around the middle of every outer side
+  const Mesh& mesh_;
+  std::vector<std::vector<unsigned>> surface_; ///< its sides
 };
 
 } // namespace settle::exchange
