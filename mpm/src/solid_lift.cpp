@@ -61,18 +61,13 @@ auto SolidLift::spot(const Vector<3>& place) const -> Spot {
   for (std::size_t c = 0; c < 4; ++c)
     moves[c] = corners[c]->moved, heights[c] = corners[c]->height;
   auto [move, along_x, along_y] = between(moves, x, y);
-  Tensor<3> gradient = Tensor<3>::Zero();
+  Tensor<3> gradient = Tensor<3>::Zero(); // how much a vertical is sheared changes no volume
   gradient.col(0) = along_x, gradient.col(1) = along_y;
   if (levels_up_) { // what has settled is made up for, in proportion to the height
-    const Bilinear<double> foot = between(heights, x, y);
-    const double thickness = levels_.high - foot.value;
-    const double left = thickness > 0.0 ? (levels_.high - place[2]) / thickness : 0.0;
-    const double slope = thickness > 0.0 ? move[2] / thickness : 0.0;
-    gradient.row(2) *= left;
-    gradient(2, 0) += slope * left * foot.along_x;
-    gradient(2, 1) += slope * left * foot.along_y;
-    gradient(2, 2) = -slope;
-    move[2] *= left;
+    const double foot = between(heights, x, y).value;
+    const double thickness = levels_.high - foot;
+    gradient(2, 2) = thickness > 0.0 ? -move[2] / thickness : 0.0;
+    move[2] *= thickness > 0.0 ? (levels_.high - place[2]) / thickness : 0.0;
   }
   return {place + move, (Tensor<3>::Identity() + gradient).determinant()};
 }
