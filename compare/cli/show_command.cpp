@@ -1,11 +1,13 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "command.hpp"
 #include "settle/compare/column_law.hpp"
 #include "settle/compare/exact_column.hpp"
 #include "settle/exchange/case_io.hpp"
+#include "settle/exchange/mesh_geometry.hpp"
 #include "settle/exchange/plane_geometry.hpp"
 #include "settle/exchange/valley.hpp"
 
@@ -24,7 +26,21 @@ std::string exact_figures(const exchange::Case& study, exchange::Kinematics kine
 
 std::string size_of_layer(const exchange::Geometry& geometry, int layer) {
   if (geometry.valley) return fmt::format("{:.6g} m3", exchange::layer_volume(geometry, layer));
+  if (geometry.solid_mesh()) return fmt::format("{:.6g} m3", exchange::layer_volume(*geometry.mesh, layer));
   return fmt::format("{:.6g} m2", exchange::layer_area(geometry, layer));
+}
+
+/// Its cells, and what checks call its supports.
+std::string figures_of_mesh(const exchange::Case& study) {
+  const exchange::Mesh& mesh = *study.geometry.mesh;
+  std::string text = fmt::format("# mesh: {} cells of {:.4g} m on average, {} nodes\n", mesh.cells.size(),
+                                 study.fem.element_size, mesh.nodes.size());
+  for (std::size_t i = 0; i < study.supports.size(); ++i) {
+    const exchange::Support& support = study.supports[i];
+    text += fmt::format("# support {}: {}, ({:.6g}) to ({:.6g})\n", i + 1, support.boundary,
+                        fmt::join(support.from, ", "), fmt::join(support.to, ", "));
+  }
+  return text;
 }
 
 std::string figures_of_body(const exchange::Case& study) {
@@ -32,7 +48,14 @@ std::string figures_of_body(const exchange::Case& study) {
                                  ColumnLaw(study.fill()).constrained_modulus(), study.fill().density * study.gravity);
   for (int layer = 1; layer <= study.construction.layers; ++layer)
     text += fmt::format("# layer {}: {}\n", layer, size_of_layer(study.geometry, layer));
+  if (study.geometry.mesh) text += figures_of_mesh(study);
   return text;
+}
+
+/// Without the text of its mesh, which is in a file.
+std::string shown(exchange::Case study) {
+  if (study.geometry.mesh) study.geometry.mesh->text.clear();
+  return exchange::to_toml(study);
 }
 
 /// As TOML comments, so that what is shown is a case file.
@@ -61,7 +84,7 @@ public:
   }
   exchange::ExitCode run(const std::string&) override {
     const exchange::Case study = exchange::read_case(case_, overrides_);
-    fmt::print("{}\n{}", exchange::to_toml(study), derived_figures(study));
+    fmt::print("{}\n{}", shown(study), derived_figures(study));
     return exchange::ExitCode::success;
   }
 

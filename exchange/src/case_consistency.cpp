@@ -155,6 +155,12 @@ void check_place(const Check& check, const std::string& key, const Case& study, 
          .given = given,
          .allowed = {},
          .remedy = "leave it out"});
+  } else if (study.geometry.solid_mesh() && check.region != Region::whole) {
+    reading.complain({.where = study.where(key + ".region"),
+                      .what = key + ".region is told by lines of a section, which a mesh in space has not",
+                      .given = given,
+                      .allowed = "whole",
+                      .remedy = "leave it out"});
   } else if (study.geometry.valley && check.region == Region::base) {
     reading.complain(
         {.where = study.where(key + ".region"),

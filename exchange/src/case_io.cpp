@@ -3,10 +3,12 @@
 #include "case_consistency.hpp"
 #include "case_keys.hpp"
 #include "embankment.hpp"
+#include "mesh_body.hpp"
 #include "motion_consistency.hpp"
 #include "path_consistency.hpp"
 #include "polygon_consistency.hpp"
 #include "settle/exchange/formulas.hpp"
+#include "settle/exchange/mesh_geometry.hpp"
 #include "settle/exchange/plane_geometry.hpp"
 #include "settle/exchange/valley.hpp"
 #include "stage_consistency.hpp"
@@ -18,6 +20,10 @@ void fill_extent(Geometry& geometry) {
   const PlaneBox box = bounding_box(geometry);
   geometry.width = box.highest[0] - box.lowest[0];
   geometry.height = box.highest[1] - box.lowest[1];
+  if (geometry.valley) geometry.depth = valley_at(*geometry.valley, geometry.height).width();
+  if (!geometry.solid_mesh()) return;
+  const SolidBox solid = bounding_box(*geometry.mesh);
+  geometry.depth = solid.highest[1] - solid.lowest[1];
 }
 
 /// Material points in a cell where the case does not say.
@@ -59,8 +65,9 @@ void fill_dependent_defaults(Case& study) {
     return;
   }
   if (geometry.drawn()) fill_extent(geometry);
+  if (geometry.mesh && !(is_extruded_mesh(geometry) && study.origins.contains("fem.element_size")))
+    study.fem.element_size = mean_cell_size(geometry);
   const bool solid = geometry.dimension == 3;
-  if (geometry.valley) geometry.depth = valley_at(*geometry.valley, geometry.height).width();
   if (solid && !geometry.depth) geometry.depth = geometry.width;
   if (geometry.drawn()) return;
   for (auto& [name, line] : study.probes) {
@@ -77,8 +84,13 @@ Case interpreted(const document::Table& table, const std::string& name) {
   reading.throw_if_any();
   study.origins = reading.origins();
   check_embankment(study, reading);
+  check_mesh(study, reading);
   reading.throw_if_any();
   if (study.geometry.shape == Shape::embankment) draw_embankment(study);
+  if (study.geometry.shape == Shape::mesh) {
+    build_mesh(study, reading);
+    draw_mesh(study);
+  }
   check_shape(study, reading);
   reading.throw_if_any();
   fill_dependent_defaults(study);
@@ -100,11 +112,11 @@ Case parse_case(const std::string& text, const std::string& name, const std::vec
 }
 
 std::string to_toml(const Case& study) {
-  if (study.geometry.shape != Shape::embankment) return document::to_toml(case_keys().write(study));
+  if (!study.geometry.embankment && !study.geometry.mesh) return document::to_toml(case_keys().write(study));
   Case given = study; // without what is drawn from it
   given.geometry.polygons.clear();
   given.supports.clear();
-  if (given.geometry.valley) given.geometry.depth.reset();
+  if (given.geometry.varies_along_y()) given.geometry.depth.reset();
   return document::to_toml(case_keys().write(given));
 }
 

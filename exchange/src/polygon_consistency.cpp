@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include "embankment.hpp"
+#include "mesh_body.hpp"
 #include "settle/exchange/plane_geometry.hpp"
 #include "settle/exchange/probe_points.hpp"
 #include "valley_consistency.hpp"
@@ -106,6 +107,33 @@ void check_extent(const Case& study, const std::string& key, double given, doubl
                     .remedy = "leave it out"});
 }
 
+void check_extents(const Case& study, Reading& reading) {
+  const PlaneBox box = bounding_box(study.geometry);
+  check_extent(study, "geometry.width", study.geometry.width, box.highest[0] - box.lowest[0], reading);
+  check_extent(study, "geometry.height", study.geometry.height, box.highest[1] - box.lowest[1], reading);
+}
+
+/// What a mesh says by itself.
+void check_measures(const Case& study, Reading& reading) {
+  check_extents(study, reading);
+  const bool solid = study.geometry.solid_mesh();
+  const auto refuse = [&](const char* key, const std::string& given, const char* remedy) {
+    reading.complain({.where = study.where(key),
+                      .what = fmt::format("{} is what the mesh says by itself", key),
+                      .given = given,
+                      .allowed = {},
+                      .remedy = remedy});
+  };
+  if (solid && study.origins.contains("geometry.depth"))
+    refuse("geometry.depth", fmt::format("{:g}", study.geometry.depth.value_or(0.0)), "leave it out");
+  const double size = mean_cell_size(study.geometry), asked = study.fem.element_size;
+  if (!is_extruded_mesh(study.geometry) && study.origins.contains("fem.element_size") && asked != size)
+    refuse("fem.element_size", fmt::format("{:g}, with cells of {:g} m on average", asked, size), "leave it out");
+  if (study.converge && !study.converge->element_size.empty())
+    refuse("converge.element_size", fmt::format("{} levels", study.converge->element_size.size()),
+           "set = { \"geometry.mesh.file\" = [...], \"mpm.element_size\" = [...] }: a mesh for each level");
+}
+
 /// All polygons of a layer are of one material, and it is there.
 void check_materials_of_polygons(const Case& study, Reading& reading) {
   const std::vector<Polygon>& polygons = study.geometry.polygons;
@@ -147,17 +175,17 @@ void require(bool holds, const Complaint& complaint, Reading& reading) {
 
 /// Two coordinates in a section, three in a valley.
 bool check_ends(const Case& study, const std::string& key, const Probes& line, Reading& reading) {
-  const std::size_t coordinates = study.geometry.valley ? 3 : 2;
+  const std::size_t coordinates = study.geometry.varies_along_y() ? 3 : 2;
   bool all = true;
   for (const auto& [end, position] : {std::pair(".from", &line.from), std::pair(".to", &line.to)}) {
     if (position->size() == coordinates) continue;
     all = false;
-    reading.complain(
-        {.where = study.where(key + end),
-         .what = fmt::format("{}{} has {} coordinates", key, end, position->size()),
-         .given = fmt::format("{}", fmt::join(*position, ", ")),
-         .allowed = coordinates == 3 ? "[x, y, z]: the line runs through a valley" : "[x, y]: the section of the body",
-         .remedy = {}});
+    reading.complain({.where = study.where(key + end),
+                      .what = fmt::format("{}{} has {} coordinates", key, end, position->size()),
+                      .given = fmt::format("{}", fmt::join(*position, ", ")),
+                      .allowed = coordinates == 3 ? "[x, y, z]: the line runs through a valley, or a mesh in space"
+                                                  : "[x, y]: the section of the body",
+                      .remedy = {}});
   }
   return all;
 }
@@ -207,6 +235,19 @@ void check_support(const Case& study, std::size_t number, Reading& reading) {
 
 } // namespace
 
+void check_mesh(const Case& study, Reading& reading) {
+  if (study.geometry.shape != Shape::mesh) return refuse_key(study, "geometry.mesh", "mesh", reading);
+  for (const char* key : {"geometry.polygon", "support"})
+    refuse_key(study, key, "polygons", reading);
+  require(study.geometry.mesh.has_value(),
+          {.where = study.where("geometry.shape"),
+           .what = "there is no mesh",
+           .given = "geometry.shape = \"mesh\"",
+           .allowed = "a table [geometry.mesh]",
+           .remedy = "give it file and layers"},
+          reading);
+}
+
 void check_embankment(const Case& study, Reading& reading) {
   const Geometry& geometry = study.geometry;
   if (geometry.shape != Shape::embankment) {
@@ -239,6 +280,7 @@ void check_shape(const Case& study, Reading& reading) {
   if (study.geometry.shape == Shape::point) return;
   if (study.geometry.shape == Shape::column) return check_column(study, reading);
   refuse_key(study, "path", "point", reading);
+  if (study.geometry.shape == Shape::mesh) return check_measures(study, reading);
   for (std::size_t number = 0; number < study.geometry.polygons.size(); ++number)
     check_polygon(study, number, reading);
   require(!study.geometry.polygons.empty(),
@@ -252,9 +294,7 @@ void check_shape(const Case& study, Reading& reading) {
   check_overlaps(study, reading);
   check_layers_of_polygons(study, reading);
   check_materials_of_polygons(study, reading);
-  const PlaneBox box = bounding_box(study.geometry);
-  check_extent(study, "geometry.width", study.geometry.width, box.highest[0] - box.lowest[0], reading);
-  check_extent(study, "geometry.height", study.geometry.height, box.highest[1] - box.lowest[1], reading);
+  check_extents(study, reading);
 }
 
 void check_polygons(const Case& study, Reading& reading) {
@@ -277,7 +317,8 @@ void check_polygons(const Case& study, Reading& reading) {
            .what = "polygons without supports can go anywhere",
            .given = "no [[support]]",
            .allowed = "at least one",
-           .remedy = "hold the base: [[support]] from = [x, y], to = [x, y]"},
+           .remedy = study.geometry.mesh ? "name a group of the boundary in geometry.mesh.fixed"
+                                         : "hold the base: [[support]] from = [x, y], to = [x, y]"},
           reading);
   for (const auto& [name, line] : study.probes)
     check_line(study, name, line, reading);

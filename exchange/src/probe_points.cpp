@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "settle/exchange/mesh_geometry.hpp"
 #include "settle/exchange/plane_geometry.hpp"
 #include "settle/exchange/valley.hpp"
 
@@ -39,9 +40,10 @@ std::vector<ProbePoint> points_across_polygons(const Geometry& geometry, const P
     const double share = static_cast<double>(i) / (count - 1);
     const auto along = [&](std::size_t axis) { return line.from[axis] + share * (line.to[axis] - line.from[axis]); };
     const PlanePoint at{along(0), along(line.from.size() - 1)};
-    const double y = geometry.valley ? along(1) : middle;
+    const double y = geometry.varies_along_y() ? along(1) : middle;
     if (geometry.valley && !is_between_flanks(*geometry.valley, y, at[1], slack)) continue;
-    for (const int layer : layers_at(geometry, at, slack))
+    const bool solid = geometry.solid_mesh();
+    for (const int layer : solid ? layers_at(*geometry.mesh, {at[0], y, at[1]}, slack) : layers_at(geometry, at, slack))
       points.push_back({.layer = layer, .x = at[0], .y = y, .design_height = at[1]});
   }
   std::stable_sort(points.begin(), points.end(),

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "embankment.hpp"
+#include "mesh_body.hpp"
 
 namespace settle::exchange {
 namespace {
@@ -78,6 +79,8 @@ private:
     if (entry.action != Action::load && some)
       return refuse("", " gives a load that it does not apply", fmt::format("action = \"{}\"", name_of(entry.action)),
                     "from, to and traction with action = \"load\" only");
+    if (whole && study_.geometry.solid_mesh())
+      refuse("", " loads a line of a section", "a mesh in space", "other actions than \"load\"");
     if (whole && entry.from == entry.to)
       refuse(".to", " loads a line without length", fmt::format("({}, {}) twice", entry.to[0], entry.to[1]),
              "two different ends");
@@ -87,8 +90,9 @@ private:
     if (entry.k0 && entry.action != Action::ground)
       refuse(".k0", " is for existing ground only", fmt::format("action = \"{}\"", name_of(entry.action)),
              "action = \"ground\"");
-    if (entry.k0 && study_.geometry.valley)
-      refuse(".k0", " is for level ground between upright sides", "a layer between the flanks of a valley",
+    if (entry.k0 && study_.geometry.varies_along_y())
+      refuse(".k0", " is for level ground between upright sides",
+             study_.geometry.valley ? "a layer between the flanks of a valley" : "a layer of a mesh in space",
              "no k0: the ground comes to rest under its weight");
   }
 
@@ -98,6 +102,10 @@ private:
   std::set<int> ever_, present_;
   bool above_ground_ = false;
 };
+
+int existing_layers(const Geometry& geometry) {
+  return geometry.mesh ? ground_layers(*geometry.mesh) : ground_layers(geometry);
+}
 
 bool are_plain(const std::vector<StageEntry>& stages) {
   int layer = 0;
@@ -113,7 +121,7 @@ void fill_stages(Case& study) {
   if (study.stages.empty())
     for (int layer = 1; layer <= study.construction.layers; ++layer)
       study.stages.push_back(
-          {.action = layer <= ground_layers(study.geometry) ? Action::ground : Action::place, .layer = layer});
+          {.action = layer <= existing_layers(study.geometry) ? Action::ground : Action::place, .layer = layer});
   int placed = 1;
   for (StageEntry& entry : study.stages) {
     if (entry.action == Action::ground || entry.action == Action::place) placed = entry.layer;

@@ -1,5 +1,6 @@
 #include "settle/exchange/valley.hpp"
 
+#include "settle/exchange/mesh_geometry.hpp"
 #include "settle/exchange/plane_geometry.hpp"
 
 namespace settle::exchange {
@@ -14,6 +15,10 @@ Span valley_at(const Valley& valley, double height) {
 }
 
 double middle_of_depth(const Geometry& geometry) {
+  if (geometry.solid_mesh()) {
+    const SolidBox box = bounding_box(*geometry.mesh);
+    return 0.5 * (box.lowest[1] + box.highest[1]);
+  }
   return geometry.valley ? 0.0 : geometry.depth.value_or(geometry.width) / 2;
 }
 

@@ -88,9 +88,26 @@ void make_dam(const exchange::Case& study, dealii::Triangulation<3>& mesh) {
   stack({.section = section, .count = slices_across_valley(study), .axis = 0}, position, mesh);
 }
 
+void make_solid(const exchange::Mesh& given, dealii::Triangulation<3>& mesh) {
+  constexpr std::array<unsigned, 8> ours{0, 1, 3, 2, 4, 5, 7, 6}; // of deal.II's, x, y, z of the unit cube: its bits
+  std::vector<dealii::Point<3>> vertices;
+  for (const std::array<double, 3>& node : given.nodes)
+    vertices.emplace_back(node[0], node[1], node[2]);
+  std::vector<dealii::CellData<3>> cells;
+  for (const exchange::MeshCell& cell : given.cells) {
+    cells.emplace_back();
+    cells.back().material_id = static_cast<dealii::types::material_id>(cell.layer);
+    for (std::size_t v = 0; v < 8; ++v)
+      cells.back().vertices[v] = cell.nodes[ours[v]];
+  }
+  dealii::GridTools::consistently_order_cells(cells);
+  mesh.create_triangulation(vertices, cells, dealii::SubCellData());
+}
+
 /// The section in slices along y.
 void make_drawn(const exchange::Case& study, dealii::Triangulation<3>& mesh) {
   if (study.geometry.valley) return make_dam(study, mesh);
+  if (study.geometry.solid_mesh()) return make_solid(*study.geometry.mesh, mesh);
   const PlaneMesh section = mesh_polygons(study);
   const unsigned slices = slices_along_depth(study);
   const auto position = [&](unsigned slice, const exchange::PlanePoint& vertex) {

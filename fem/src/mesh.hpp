@@ -10,7 +10,8 @@ namespace settle::fem {
 
 /// A column: equal boxes over the whole of it; boundary id 2 c and 2 c + 1: the lower and the upper side along axis c,
 /// so the top is 2 dim - 1. Polygons: the cells of polygon_mesh.hpp, in their order; in space slice after slice along
-/// y; of a dam across a valley those of valley_mesh.hpp, slice after slice along x.
+/// y, or the hexahedra of the case's mesh; of a dam across a valley those of valley_mesh.hpp, slice after slice along
+/// x.
 template <int dim>
 void make_mesh(const exchange::Case& study, dealii::Triangulation<dim>& mesh);
 

@@ -107,9 +107,22 @@ private:
   std::map<std::pair<unsigned, unsigned>, Nodes> lines_; ///< by the numbers of their ends, ascending
 };
 
+/// The cells as they are.
+PlaneMesh section_of(const exchange::Mesh& given) {
+  PlaneMesh mesh;
+  for (const std::array<double, 3>& node : given.nodes)
+    mesh.vertices.push_back({node[0], node[1]});
+  for (const exchange::MeshCell& cell : given.cells) {
+    const auto& nodes = cell.nodes;
+    mesh.cells.push_back({{nodes[0], nodes[1], nodes[3], nodes[2]}, cell.layer});
+  }
+  return mesh;
+}
+
 } // namespace
 
 PlaneMesh mesh_polygons(const exchange::Case& study) {
+  if (study.geometry.mesh) return section_of(*study.geometry.mesh);
   if (study.geometry.shape == exchange::Shape::embankment) return mesh_polygons(divided_embankment(study));
   const PolygonOutline outline(study);
   MeshBuilder builder(outline);

@@ -23,7 +23,7 @@ struct PlaneMesh {
 /// A quadrilateral becomes a bilinear grid; a triangle three of them, around its centroid and the middles of its edges.
 /// No edge of a polygon is divided more coarsely than `fem.element_size`; edges shared by two polygons, opposite edges
 /// of quadrilaterals, and all edges of a triangle are divided alike, into equal parts. An embankment is divided into
-/// other polygons first (embankment_mesh.hpp).
+/// other polygons first (embankment_mesh.hpp). A case with a plane mesh has that mesh.
 /// Throws InputError for polygons of more than four corners, where edges are shared in part only, and where polygons
 /// overlap.
 PlaneMesh mesh_polygons(const exchange::Case& study);

@@ -8,6 +8,7 @@
 #include "polygon_mesh.hpp"
 #include "settle/exchange/errors.hpp"
 #include "settle/exchange/fitting_size.hpp"
+#include "solid_requirements.hpp"
 #include "stage_requirements.hpp"
 #include "support_line.hpp"
 #include "valley_mesh.hpp"
@@ -112,6 +113,7 @@ std::array<unsigned, 3> cells_along_axes(const exchange::Case& study) {
 std::size_t number_of_cells(const exchange::Case& study) {
   if (study.geometry.shape == exchange::Shape::point) return 0;
   if (study.geometry.valley) return valley_section(study).cells.size() * slices_across_valley(study);
+  if (study.geometry.solid_mesh()) return study.geometry.mesh->cells.size();
   if (study.geometry.drawn())
     return mesh_polygons(study).cells.size() * (study.geometry.dimension == 3 ? slices_along_depth(study) : 1);
   const std::array<unsigned, 3> along = cells_along_axes(study);
@@ -124,6 +126,10 @@ void require_solvable(const exchange::Case& study) {
   require_placement(study);
   if (!study.geometry.drawn()) {
     static_cast<void>(number_of_cells(study));
+    return;
+  }
+  if (study.geometry.solid_mesh()) {
+    if (study.fem.kinematics == exchange::Kinematics::finite) require_layers_above(study);
     return;
   }
   const PlaneMesh mesh = mesh_polygons(study);

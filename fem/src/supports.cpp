@@ -28,7 +28,9 @@ bool on_rollers(const Cell& cell, unsigned i) {
 template <int dim>
 Supports<dim>::Supports(const exchange::Case& study)
     : drawn_(study.geometry.drawn()), supports_(study.supports), slack_(drawn_ ? round_off(study.geometry) : 0.0),
-      depth_(study.geometry.depth.value_or(0.0)), valley_(study.geometry.valley) {}
+      depth_(study.geometry.depth.value_or(0.0)), valley_(study.geometry.valley) {
+  if (study.geometry.solid_mesh()) of_mesh_.emplace(*study.geometry.mesh);
+}
 
 template <int dim>
 std::vector<HeldDof> Supports<dim>::held_dofs(const std::vector<Cell>& placed,
@@ -45,9 +47,8 @@ std::vector<HeldDof> Supports<dim>::held_dofs(const std::vector<Cell>& placed,
         continue;
       }
       const dealii::Point<dim>& unit = element.unit_support_point(i);
-      const dealii::Point<dim> designed = designed_position(cell, unit);
-      const std::optional<std::size_t> support = support_at(designed, axis);
-      if (!support && !on_end_wall(designed, axis)) continue;
+      const std::optional<std::size_t> support = support_of(cell, unit, axis);
+      if (!support && !on_end_wall(designed_position(cell, unit), axis)) continue;
       const bool follows = support && supports_[*support].motion == exchange::SupportMotion::exact;
       const auto position = mapping.transform_unit_to_real_cell(cell, unit);
       const PlacedPoint point{{position[0], position[1]}, layer_of(cell)};
@@ -59,6 +60,17 @@ std::vector<HeldDof> Supports<dim>::held_dofs(const std::vector<Cell>& placed,
   for (const auto& [index, dof] : held)
     dofs.push_back(dof);
   return dofs;
+}
+
+/// The first that holds a point of a cell along an axis; nothing where none does.
+template <int dim>
+std::optional<std::size_t> Supports<dim>::support_of(const Cell& cell, const dealii::Point<dim>& unit,
+                                                     unsigned axis) const {
+  if (!of_mesh_) return support_at(designed_position(cell, unit), axis);
+  std::vector<unsigned> nodes; // of the mesh, and of the triangulation: they have the same numbers
+  for (const unsigned v : cell->vertex_indices())
+    if (dealii::GeometryInfo<dim>::d_linear_shape_function(unit, v) > 0.0) nodes.push_back(cell->vertex_index(v));
+  return of_mesh_->at(nodes, axis);
 }
 
 /// The first that holds a point of the polygons along an axis; nothing where none does.
@@ -85,7 +97,8 @@ bool Supports<dim>::on_flank(const dealii::Point<dim>& designed) const {
 /// Plane strain: nothing leaves a body in space through its ends.
 template <int dim>
 bool Supports<dim>::on_end_wall(const dealii::Point<dim>& designed, unsigned axis) const {
-  return dim == 3 && axis == 1 && !valley_ && std::min(std::abs(designed[1]), std::abs(designed[1] - depth_)) <= slack_;
+  return dim == 3 && axis == 1 && !valley_ && !of_mesh_ &&
+         std::min(std::abs(designed[1]), std::abs(designed[1] - depth_)) <= slack_;
 }
 
 template class Supports<2>;

@@ -9,6 +9,7 @@
 #include <deal.II/fe/mapping.h>
 
 #include "loading.hpp"
+#include "mesh_supports.hpp"
 #include "settle/exchange/case.hpp"
 
 namespace settle::fem {
@@ -22,7 +23,8 @@ struct HeldDof {
 };
 
 /// The supports of a case: of polygons those it lists, in space extruded along y, with rollers on both end walls; of a
-/// dam its base, which goes on up both flanks of the valley; of a column rollers on all sides but the top.
+/// dam its base, which goes on up both flanks of the valley; of a mesh of hexahedra the sides that its groups name; of
+/// a column rollers on all sides but the top.
 template <int dim>
 class Supports {
 public:
@@ -37,6 +39,8 @@ public:
                                                const dealii::Mapping<dim>& mapping) const;
 
 private:
+  [[nodiscard]] std::optional<std::size_t> support_of(const Cell& cell, const dealii::Point<dim>& unit,
+                                                      unsigned axis) const;
   [[nodiscard]] std::optional<std::size_t> support_at(const dealii::Point<dim>& designed, unsigned axis) const;
   [[nodiscard]] bool on_flank(const dealii::Point<dim>& designed) const;
   [[nodiscard]] bool on_end_wall(const dealii::Point<dim>& designed, unsigned axis) const;
@@ -46,6 +50,7 @@ private:
   double slack_; ///< distance that is round-off [m]
   double depth_; ///< of a drawn body in space [m]
   std::optional<exchange::Valley> valley_;
+  std::optional<MeshSupports> of_mesh_; ///< of hexahedra
 };
 
 } // namespace settle::fem

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "settle/exchange/mesh_geometry.hpp"
 #include "settle/exchange/plane_geometry.hpp"
 
 namespace settle::mpm {
@@ -55,7 +56,9 @@ PresentLayers<dim>::PresentLayers(const exchange::Case& study, const Design& des
 template <int dim>
 Place PresentLayers<dim>::surface(const Place& place) const {
   const double slack = 1e-9 * (study_.geometry.width + study_.geometry.height);
-  const std::vector<int> there = exchange::layers_at(study_.geometry, {place[0], place[2]}, slack);
+  const std::vector<int> there = study_.geometry.solid_mesh()
+                                     ? exchange::layers_at(*study_.geometry.mesh, {place[0], place[1], place[2]}, slack)
+                                     : exchange::layers_at(study_.geometry, {place[0], place[2]}, slack);
   for (std::size_t i = layers_.size(); i-- > 0;) {
     if (std::find(there.begin(), there.end(), layers_[i]) == there.end()) continue;
     const LinearFit fit = fit_linear(scattered_[i], points_of_a_fit<dim>(study_), design_.looked_up(place));

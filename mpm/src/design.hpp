@@ -37,13 +37,13 @@ std::size_t points_in_a_row(const exchange::Case& study) {
 /// What is fitted through: of a section, the rows at the nearest places.
 template <int dim>
 std::size_t points_of_a_fit(const exchange::Case& study) {
-  return study.geometry.valley ? points_of_a_solid_fit : points_of_a_plane_fit * points_in_a_row<dim>(study);
+  return study.geometry.varies_along_y() ? points_of_a_solid_fit : points_of_a_plane_fit * points_in_a_row<dim>(study);
 }
 
 /// Places of points in the body as designed, by their identity: points change neither.
 class Design {
 public:
-  explicit Design(const exchange::Case& study) : varies_along_y_(study.geometry.valley.has_value()) {}
+  explicit Design(const exchange::Case& study) : varies_along_y_(study.geometry.varies_along_y()) {}
 
   /// The next point that is added has this place.
   void note(const Place& place) { places_.push_back(place); }

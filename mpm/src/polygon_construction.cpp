@@ -5,8 +5,10 @@
 
 #include <fmt/format.h>
 
+#include "mesh_construction.hpp"
 #include "settle/exchange/errors.hpp"
 #include "settle/exchange/plane_geometry.hpp"
+#include "settle/mpm/mesh_fill.hpp"
 #include "settle/mpm/polygon_fill.hpp"
 #include "settle/mpm/spaces.hpp"
 #include "valley_construction.hpp"
@@ -49,6 +51,16 @@ bool stands_for(const exchange::Support& support, const Vector<2>& node, double 
          share <= 1.0 + past_ends;
 }
 
+/// Calls `action` with each node, direction and support that holds it, of a mesh in space.
+template <class Space, class Action>
+void for_each_held_in_mesh(const exchange::Case& study, const Space& space, Action&& action) {
+  const MeshHolds holds(*study.geometry.mesh, space.size());
+  for (int node = 0; node < space.n_nodes(); ++node)
+    for (int axis = 0; axis < 3; ++axis)
+      if (const int boundary = holds.boundary_at(space.node_position(node), axis); boundary >= 0)
+        action(node, axis, study.supports[static_cast<std::size_t>(boundary)]);
+}
+
 template <int dim>
 bool is_held_by_valley(const exchange::Case& study, const Vector<dim>& node, double size) {
   if constexpr (dim == 3)
@@ -59,6 +71,8 @@ bool is_held_by_valley(const exchange::Case& study, const Vector<dim>& node, dou
 /// Calls `action` with each node, direction and support that holds it. The flanks of a valley are part of its base.
 template <class Space, class Action>
 void for_each_held(const exchange::Case& study, const Space& space, Action&& action) {
+  if constexpr (Space::dim == 3)
+    if (study.geometry.solid_mesh()) return for_each_held_in_mesh(study, space, action);
   for (int node = 0; node < space.n_nodes(); ++node)
     for (const exchange::Support& support : study.supports) {
       const auto position = space.node_position(node);
@@ -73,7 +87,7 @@ void for_each_held(const exchange::Case& study, const Space& space, Action&& act
 
 /// As the case has them: those of a section, or all three.
 std::vector<double> coordinates_of(const exchange::Case& study, const Place& place) {
-  if (study.geometry.valley) return {place[0], place[1], place[2]};
+  if (study.geometry.varies_along_y()) return {place[0], place[1], place[2]};
   return {place[0], place[2]};
 }
 
@@ -129,14 +143,13 @@ void place_section(const exchange::Case& study, int layer, const PresentLayers<S
   }
 }
 
+/// Pieces of a layer of a body in space.
 template <class Space>
-void place_in_valley(const exchange::Case& study, int layer, const PresentLayers<3>& below, Design& design,
-                     Body<Space>& body) {
-  const Lattice<3> lattice{body.space.origin(), body.space.size(), body.layout.row_points};
-  const ValleyLift lift(study, layer, below, lattice.size);
+void place_solid(const exchange::Case& study, int layer, const std::vector<Piece<3>>& pieces, const SolidLift& lift,
+                 Design& design, Body<Space>& body) {
   NewPoint<3> point = point_of(study, layer, body);
-  for (const Piece<3>& piece : cut_dam(study.geometry, levels_of_layer(study.geometry, layer), lattice)) {
-    const ValleyLift::Spot spot = lift.spot(piece.centroid);
+  for (const Piece<3>& piece : pieces) {
+    const SolidLift::Spot spot = lift.spot(piece.centroid);
     if (!(spot.volume_ratio > 0.0)) refuse_inverted(study, layer, piece.centroid, spot.volume_ratio);
     point.position = spot.position;
     point.volume = piece.volume * spot.volume_ratio;
@@ -146,10 +159,25 @@ void place_in_valley(const exchange::Case& study, int layer, const PresentLayers
   }
 }
 
+template <class Space>
+void place_varying_along_y(const exchange::Case& study, int layer, const PresentLayers<3>& below, Design& design,
+                           Body<Space>& body) {
+  const exchange::Geometry& geometry = study.geometry;
+  const Lattice<3> lattice{body.space.origin(), body.space.size(), body.layout.row_points};
+  if (geometry.valley)
+    place_solid(study, layer, cut_dam(geometry, levels_of_layer(geometry, layer), lattice),
+                lift_in_valley(study, layer, below, lattice.size), design, body);
+  else
+    place_solid(study, layer, cut_mesh(*geometry.mesh, layer, lattice), lift_in_mesh(study, layer, below, lattice.size),
+                design, body);
+}
+
 } // namespace
 
 template <int dim>
 GridBox<dim> grid_around(const exchange::Case& study) {
+  if constexpr (dim == 3)
+    if (study.geometry.solid_mesh()) return grid_around_mesh(*study.geometry.mesh, study.mpm.element_size);
   const exchange::PlaneBox box = extent_with_supports(study);
   GridBox<dim> grid{.counts = {}, .size = study.mpm.element_size};
   if constexpr (dim == 3) {
@@ -175,7 +203,7 @@ template <class Space>
 std::vector<PerAxis<bool, Space::dim>> polygon_supports(const exchange::Case& study, const Space& space) {
   std::vector<PerAxis<bool, Space::dim>> fixed(static_cast<std::size_t>(space.n_nodes()));
   const auto& numbering = space.node_numbering();
-  const bool has_end_walls = Space::dim == 3 && !study.geometry.valley;
+  const bool has_end_walls = Space::dim == 3 && !study.geometry.varies_along_y();
   for (int node = 0; has_end_walls && node < space.n_nodes(); ++node) {
     const int slice = numbering.index(node)[1];
     fixed[static_cast<std::size_t>(node)][1] = slice == 0 || slice == numbering.counts[1] - 1;
@@ -205,7 +233,7 @@ void place_polygons(const exchange::Case& study, int layer, const std::vector<in
                     Body<Space>& body) {
   const PresentLayers<Space::dim> below(study, design, body.points, present);
   if constexpr (Space::dim == 3)
-    if (study.geometry.valley) return place_in_valley(study, layer, below, design, body);
+    if (study.geometry.varies_along_y()) return place_varying_along_y(study, layer, below, design, body);
   place_section(study, layer, below, design, body);
 }
 

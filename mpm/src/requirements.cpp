@@ -210,7 +210,7 @@ void require_no_loads(const exchange::Case& study) {
                                   .what = "settle-mpm loads surfaces in the plane only",
                                   .given = "action = \"load\" with geometry.dimension = 3",
                                   .allowed = "\"ground\", \"place\", \"remove\", \"hold\"",
-                                  .remedy = study.geometry.valley
+                                  .remedy = study.geometry.varies_along_y()
                                                 ? "leave the stage out"
                                                 : "set geometry.dimension = 2: the section is the same"});
 }
@@ -238,7 +238,7 @@ void require_polygons_that_fit(const exchange::Case& study) {
          .allowed = quoted(*box),
          .remedy = fmt::format("set mpm.element = {}", quoted(*box))});
   const bool is_solid = study.geometry.dimension == 3;
-  if (is_solid && !study.geometry.valley) require_depth_that_fits(study);
+  if (is_solid && !study.geometry.varies_along_y()) require_depth_that_fits(study);
   if (is_solid) require_no_loads(study);
   require_splines_that_rest(study);
   require_stages_that_fit(study);

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "command_line.hpp"
+#include "gmsh_text.hpp"
 #include "perfect_body.hpp"
 #include "settle/exchange/case_io.hpp"
 #include "settle/exchange/result_io.hpp"
@@ -48,6 +49,26 @@ TEST_F(BodyCommands, ShowGivesTheAreasOfTheLayersAndNothingOfAColumn) {
   EXPECT_EQ(answer.code, 0);
   EXPECT_THAT(answer.text, AllOf(HasSubstr("# layer 2: 2 m2"), HasSubstr("M = "), Not(HasSubstr("Eq. (1)"))));
   EXPECT_EQ(exchange::parse_case(answer.text, "shown").motion->let.size(), 2U);
+}
+
+/// Not its text, which is in a file.
+TEST_F(BodyCommands, ShowGivesTheCellsAndTheSupportsOfAMesh) {
+  const gmsh::Block counts{.deep = 1};
+  const std::string text = gmsh::case_of(gmsh::solid_block(counts).text(), counts);
+  const Answer answer = settle({"show", folder.file("mesh.toml", text).string()});
+  EXPECT_EQ(answer.code, 0) << answer.text;
+  EXPECT_THAT(answer.text, AllOf(HasSubstr("# layer 2: 2 m3"), HasSubstr("# mesh: 4 cells of 1 m"),
+                                 HasSubstr("# support 1: base"), HasSubstr("# support 5: back")));
+  EXPECT_THAT(answer.text, Not(HasSubstr("$Nodes")));
+}
+
+TEST_F(BodyCommands, AMeshThatIsNotThereIsWrongInput) {
+  const gmsh::Block counts{};
+  const std::string text = gmsh::case_of(gmsh::plane_block(counts).text(), counts);
+  case_file = folder.file("mesh.toml", text);
+  const Answer answer = run_case({"--set", "geometry.mesh.file=nowhere.msh"});
+  EXPECT_EQ(answer.code, 2);
+  EXPECT_THAT(answer.text, AllOf(HasSubstr("the mesh cannot be read"), HasSubstr("nowhere.msh")));
 }
 
 TEST_F(BodyCommands, RunPassesAndWritesAReport) {

@@ -15,6 +15,7 @@
 #include "report_fixture.hpp"
 #include "settle/compare/report.hpp"
 #include "settle/exchange/errors.hpp"
+#include "settle/exchange/program.hpp"
 
 namespace settle::compare::test {
 namespace {
@@ -234,6 +235,16 @@ TEST(Page, GivesParametersWithTheirUnits) {
   EXPECT_THAT(page, HasSubstr("[Pa]"));
   EXPECT_THAT(page, HasSubstr("mpm.quasi_static.increments"));
   EXPECT_THAT(page, Not(HasSubstr("mpm.explicit.damping"))); // not read by this run
+}
+
+TEST(Page, ShowsTheHashOfAMeshAndNotItsText) {
+  CampaignOutcome outcome = synthetic_campaign({.runs = 1});
+  exchange::Mesh& mesh = outcome.runs[0].study.geometry.mesh.emplace();
+  mesh.file = "dam.msh";
+  mesh.text = std::string(5000, '7');
+  const std::string page = html_report(outcome);
+  EXPECT_THAT(page, HasSubstr("5002 characters, SHA-256 " + exchange::sha256('"' + mesh.text + '"')));
+  EXPECT_THAT(page, Not(HasSubstr(std::string(200, '7'))));
 }
 
 TEST(Page, IsTheSameForTheSameOutcome) {

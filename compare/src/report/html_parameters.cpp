@@ -6,6 +6,7 @@
 #include "html_parts.hpp"
 #include "settle/exchange/case_io.hpp"
 #include "settle/exchange/document.hpp"
+#include "settle/exchange/program.hpp"
 
 namespace settle::compare::report {
 
@@ -71,6 +72,14 @@ std::string unit_in(const std::string& meaning) {
   return is_unit ? meaning.substr(open + 1, close - open - 1) : "";
 }
 
+/// A mesh is not for reading, but one can see whether it is the same.
+std::string shown(const document::Value& value) {
+  constexpr std::size_t longest = 2000;
+  const std::string text = document::to_inline_toml(value);
+  if (text.size() <= longest) return text;
+  return fmt::format("{} characters, SHA-256 {}", text.size(), exchange::sha256(text));
+}
+
 void append(const RunOutcome& run, const document::Table& table, const json& schema, const std::string& path,
             std::vector<Parameter>& list) {
   for (const document::Entry& entry : table) {
@@ -84,7 +93,7 @@ void append(const RunOutcome& run, const document::Table& table, const json& sch
     const std::string meaning = meaning_of(facts);
     const document::List* entries = entries_of(entry.value);
     if (entries == nullptr) {
-      list.push_back({key, document::to_inline_toml(entry.value), meaning});
+      list.push_back({key, shown(entry.value), meaning});
       continue;
     }
     for (std::size_t i = 0; i < entries->size(); ++i)

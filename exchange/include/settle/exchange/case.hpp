@@ -15,8 +15,9 @@
 
 namespace settle::exchange {
 
-/// `embankment`: polygons and supports made of a few lengths. `point`: no body, single material points (`[[path]]`).
-enum class Shape { column, polygons, embankment, point };
+/// `embankment`: polygons and supports made of a few lengths. `mesh`: those of a Gmsh file. `point`: no body, single
+/// material points (`[[path]]`).
+enum class Shape { column, polygons, embankment, mesh, point };
 enum class Law { rate, hencky, neo_hookean, tresca, mohr_coulomb, drucker_prager, cam_clay, stress_dependent };
 /// What a stage does.
 enum class Action { ground, place, remove, hold, load };
@@ -80,7 +81,7 @@ struct EnumNames;
 
 template <>
 struct EnumNames<Shape> {
-  static constexpr std::array<std::string_view, 4> names{"column", "polygons", "embankment", "point"};
+  static constexpr std::array<std::string_view, 5> names{"column", "polygons", "embankment", "mesh", "point"};
 };
 template <>
 struct EnumNames<Law> {
@@ -213,27 +214,68 @@ struct Valley {
   std::vector<double> slopes{}; ///< (2) of the flanks towards -y and y, horizontal per vertical [-]
 };
 
+/// A cell of a mesh, by the numbers of its nodes: of a quadrilateral the first four, anticlockwise; of a hexahedron its
+/// lower side, anticlockwise from above, and the upper side in the same order.
+struct MeshCell {
+  int layer = 1; ///< 1 ... N
+  std::array<unsigned, 8> nodes{};
+};
+
+/// A named part of the boundary of a mesh that is held.
+struct MeshBoundary {
+  std::string name{};
+  bool fixed = true;                          ///< in all directions; else across itself only, which is an axis
+  std::vector<std::vector<unsigned>> sides{}; ///< each the numbers of 2 nodes, of a hexahedron 4; a plane section's run
+                                              ///< with the body on the left
+};
+
+/// A mesh by Gmsh whose physical groups are layers and parts of the boundary.
+struct Mesh {
+  std::string file{};                             ///< relative to the case file's folder
+  std::string text{};                             ///< what is in it; set by `read_case`
+  std::vector<std::string> ground{};              ///< groups that are there at the start, from below: layers 1, 2, ...
+  std::vector<std::string> layers{};              ///< groups in the order of construction: the layers after them
+  std::map<std::string, std::string> materials{}; ///< group -> name of a material as TOML; left out: that of the
+                                                  ///< construction
+  std::vector<std::string> fixed{}, roller{};     ///< groups of the boundary that are held
+  // Set by `read_case`, from `text`.
+  int dimension = 2;                          ///< 2: a section of quadrilaterals; 3: hexahedra
+  std::vector<std::array<double, 3>> nodes{}; ///< x, y, z [m]; z of a section is 0, and y its height
+  std::vector<MeshCell> cells{};
+  std::vector<MeshBoundary> boundaries{};
+};
+
 /// The domain that is built up.
 struct Geometry {
   Shape shape = Shape::column;
   double height = 0.0;             ///< design height H [m]; set by `read_case` to the extent of polygons
   double width = 0.0;              ///< [m]; likewise
   std::optional<double> depth{};   ///< third dimension [m]; set by `read_case` to the width where a 3-D case leaves it
-                                   ///< out, in a valley to the extent of the crest
+                                   ///< out, in a valley to the extent of the crest, of a mesh in space to its own
   int dimension = 2;               ///< 2 (plane strain) or 3
-  std::vector<Polygon> polygons{}; ///< `[[geometry.polygon]]`; of an embankment made by `read_case`
+  std::vector<Polygon> polygons{}; ///< `[[geometry.polygon]]`; of an embankment and a mesh made by `read_case`
   std::optional<Embankment> embankment{}; ///< `[geometry.embankment]`, with the shape `embankment` only
   std::optional<Valley> valley{};         ///< `[geometry.valley]`, of an embankment in 3-D only
+  std::optional<Mesh> mesh{};             ///< `[geometry.mesh]`, with the shape `mesh` only
 
-  /// Does the body consist of polygons?
-  [[nodiscard]] bool drawn() const { return shape == Shape::polygons || shape == Shape::embankment; }
+  /// Does the body consist of polygons? Of a mesh in space they are its outline, seen along y.
+  [[nodiscard]] bool drawn() const {
+    return shape == Shape::polygons || shape == Shape::embankment || shape == Shape::mesh;
+  }
+  /// Is it a mesh in space?
+  [[nodiscard]] bool solid_mesh() const { return mesh && mesh->dimension == 3; }
+  /// Is it a body in space that is no extruded section?
+  [[nodiscard]] bool varies_along_y() const { return valley || solid_mesh(); }
 };
 
-/// A straight part of the boundary of polygons that is held. A column has its oedometer without being told.
+/// A straight part of the boundary of polygons that is held. A column has its oedometer without being told. Those of a
+/// mesh are made by `read_case`: of a section one for each straight part of its boundaries that are held; in space one
+/// for each boundary, in their order, from end to end of what it reaches along x and z.
 struct Support {
   std::vector<double> from{}, to{}; ///< (2) its ends [m]
   Held held = Held::both;
   SupportMotion motion = SupportMotion::none;
+  std::string boundary{}; ///< of a mesh, that it is part of
 };
 
 /// A motion known in closed form, by formulas of the position X, Y as placed and the time t (formulas.hpp).
@@ -340,7 +382,7 @@ struct Mpm {
 /// What the finite element method is told.
 struct Fem {
   FemElement element = FemElement::Q1;
-  double element_size = 0.125; ///< [m]
+  double element_size = 0.125; ///< [m]; set by `read_case` for a mesh: the root of its cells' mean area
   Kinematics kinematics = Kinematics::small;
   std::optional<FemIntegration> integration{}; ///< none: b-bar where a material of the case yields, else full
   std::optional<int> increments{};             ///< per stage; set by `read_case`: 1 (small), 4 (finite) where left out
@@ -353,7 +395,8 @@ struct Probes {
   std::optional<double> x{};        ///< [m]; set by `read_case` to the middle of the column where left out
   std::optional<double> y{};        ///< [m]; 3-D only, likewise
   int points_per_layer = 9;         ///< of a column, both ends of the layer included
-  std::vector<double> from{}, to{}; ///< (2), in a valley (3), ends of the line across polygons [m]; empty in a column
+  std::vector<double> from{}, to{}; ///< (2), in a valley or a mesh in space (3), ends of the line across polygons [m];
+                                    ///< empty in a column
   std::optional<int> points{};      ///< of the line across polygons, both ends included; none: 9
 };
 

@@ -19,7 +19,7 @@ Span fill_at(const Embankment& fill, double height);
 /// Along y, between the flanks of a valley at a height above its floor; likewise.
 Span valley_at(const Valley& valley, double height);
 
-/// The y of the middle of a body in space: of a valley's floor, else of the depth [m].
+/// The y of the middle of a body in space: of a valley's floor, of the extent of a mesh, else of the depth [m].
 double middle_of_depth(const Geometry& geometry);
 
 /// Of a layer of a dam: width by depth is quadratic in the height, whose integral is Simpson's [m3]. The geometry has a
