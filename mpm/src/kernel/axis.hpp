@@ -18,11 +18,9 @@ struct Axis<1> {
   static constexpr int n = 2;       ///< shape functions
   static constexpr int n_pairs = 3; ///< products of two of them
 
-  /// The products, and their derivatives by s.
-  SETTLE_INLINE static void products(const Lanes& s, Lanes value[2], Lanes slope[2]) {
-    value[0] = 1.0 - s, value[1] = s;
-    slope[0] = all(-1.0), slope[1] = all(1.0);
-  }
+  /// The products, and the derivative of product k by s.
+  SETTLE_INLINE static void products(const Lanes& s, Lanes value[2]) { value[0] = 1.0 - s, value[1] = s; }
+  SETTLE_INLINE static Lanes slope(int k, const Lanes&) { return all(k == 0 ? -1.0 : 1.0); }
   /// What products of two products differ in.
   SETTLE_INLINE static void squares(const Lanes value[2], Lanes square[3]) {
     square[0] = value[0] * value[0], square[1] = value[0] * value[1], square[2] = value[1] * value[1];
@@ -61,10 +59,13 @@ struct Axis<2> {
   static constexpr int n_pairs = 6;
   Lanes lower, upper; ///< inverse lengths of the outer functions' supports up to the far side, in squares
 
-  SETTLE_INLINE static void products(const Lanes& s, Lanes value[3], Lanes slope[3]) {
+  SETTLE_INLINE static void products(const Lanes& s, Lanes value[3]) {
     const Lanes falling = 1.0 - s;
     value[0] = falling * falling, value[1] = falling * s, value[2] = s * s;
-    slope[0] = -2.0 * falling, slope[1] = falling - s, slope[2] = 2.0 * s;
+  }
+  SETTLE_INLINE static Lanes slope(int k, const Lanes& s) {
+    const Lanes falling = 1.0 - s;
+    return k == 0 ? -2.0 * falling : k == 1 ? falling - s : 2.0 * s;
   }
   SETTLE_INLINE static void squares(const Lanes value[3], Lanes square[5]) {
     square[0] = value[0] * value[0], square[1] = value[0] * value[1], square[2] = value[1] * value[1];

@@ -92,8 +92,11 @@ struct BoxMove : Boxes {
     for (int d = 0; d < dim; ++d)
       x[d] = load(points.position[d] + p, some);
     const Place<dim> before = place<dim>(step, x);
-    for (int d = 0; d < dim; ++d)
-      Along::products(before.local[d], value[d], slope[d]);
+    for (int d = 0; d < dim; ++d) {
+      Along::products(before.local[d], value[d]);
+      for (int i = 0; i < n; ++i)
+        slope[d][i] = Along::slope(i, before.local[d]);
+    }
     const auto take = [&](int first) {
       for (int k = 0; k < n_nodes; ++k)
         c[k] = of_cell(first + k);

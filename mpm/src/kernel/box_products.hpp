@@ -16,27 +16,29 @@ template <class Boxes, int n>
 struct BoxProducts {
   static constexpr int dim = Boxes::dim, n_functions = Boxes::n, n_lines = Boxes::n_lines;
   using Along = typename Boxes::Along;
-  AlongAxes<dim, n_functions, n> value, slope;
+  Lanes first_local[n]; ///< coordinate along the first axis
+  AlongAxes<dim, n_functions, n> value;
   AlongAxes<dim, Boxes::n_squares, n> square;
   Lanes across[n_lines][n], across_slope[dim - 1][n_lines][n];
 
   SETTLE_INLINE void set(int slot, const Lanes local[dim]) {
+    first_local[slot] = local[0];
     for (int d = 0; d < dim; ++d) {
-      Lanes values[n_functions], slopes[n_functions], squares[Boxes::n_squares];
-      Along::products(local[d], values, slopes);
+      Lanes values[n_functions], squares[Boxes::n_squares];
+      Along::products(local[d], values);
       Along::squares(values, squares);
       for (int i = 0; i < n_functions; ++i)
-        value[d][i][slot] = values[i], slope[d][i][slot] = slopes[i];
+        value[d][i][slot] = values[i];
       for (int i = 0; i < Boxes::n_squares; ++i)
         square[d][i][slot] = squares[i];
     }
     for (int k = 0; k < n_lines; ++k) {
       const int j = k % n_functions, l = k / n_functions;
-      const Lanes y = value[1][j][slot], dy = slope[1][j][slot];
+      const Lanes y = value[1][j][slot], dy = Along::slope(j, local[1]);
       if constexpr (dim == 2) {
         across[k][slot] = y, across_slope[0][k][slot] = dy;
       } else {
-        const Lanes z = value[2][l][slot], dz = slope[2][l][slot];
+        const Lanes z = value[2][l][slot], dz = Along::slope(l, local[2]);
         across[k][slot] = z * y, across_slope[0][k][slot] = z * dy, across_slope[1][k][slot] = dz * y;
       }
     }
@@ -47,6 +49,7 @@ struct BoxProducts {
 template <class Boxes, int n, class Values, class Put>
 struct BoxSums {
   static constexpr int dim = Boxes::dim, n_functions = Boxes::n, n_lines = Boxes::n_lines;
+  using Along = typename Boxes::Along;
   const Values& points;
   Put& put;
   BoxProducts<Boxes, n> at;
@@ -101,8 +104,9 @@ struct BoxSums {
         if constexpr (dim == 3) across[slot] += tension(2) * at.across_slope[1][k][slot];
       }
       for (int i = 0; i < n_functions; ++i)
-        put(sum_of_slots<n>(
-            [&](int slot) { return along[slot] * at.slope[0][i][slot] + across[slot] * at.value[0][i][slot]; }));
+        put(sum_of_slots<n>([&](int slot) {
+          return along[slot] * Along::slope(i, at.first_local[slot]) + across[slot] * at.value[0][i][slot];
+        }));
     }
   }
 };
