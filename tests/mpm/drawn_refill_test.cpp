@@ -201,8 +201,8 @@ layer = 4
 
 /// Probes are of the material placed with a layer: it settles under what is refilled above it.
 TEST(DrawnRefill, LeavesProbesToWhatWasPlaced) {
-  const auto drawn = stages_of(drawn_column("rate", {"probes.middle.from=[0.5, 0.0]", "probes.middle.to=[0.5, 2.0]",
-                                                     "probes.middle.points=9"}));
+  const auto drawn = stages_of(
+      drawn_column("rate", {"probes.middle.from=[0.5, 0.0]", "probes.middle.to=[0.5, 2.0]", "probes.middle.points=9"}));
   const auto level = stages_of(column("rate", {"probes.middle.points_per_layer=3"}));
   const auto &own = drawn.back().probes.at("middle"), &reference = level.back().probes.at("middle");
   ASSERT_EQ(own.layer, reference.layer);
@@ -215,8 +215,7 @@ TEST(DrawnRefill, IsByRowsOfPoints) {
 }
 
 TEST(DrawnRefill, OfGroundIsItsOwn) {
-  const auto stages = stages_of(exchange::parse_case(
-      head("hencky") + R"(layers = 3
+  const auto stages = stages_of(exchange::parse_case(head("hencky") + R"(layers = 3
 [geometry]
 shape = "embankment"
 dimension = 2
@@ -229,7 +228,7 @@ foundation_left = 1.0
 foundation_right = 1.0
 foundation_material = "fill"
 )",
-      "foundation.toml", {}));
+                                                     "foundation.toml", {}));
   expect_audited(stages, 1e-9);
   EXPECT_NEAR(stages[0].surface_height, 0.0, 1e-3);
   EXPECT_NEAR(area_of(stages[0]), 7.0, 1e-3 * 7.0);
