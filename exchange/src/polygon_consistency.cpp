@@ -305,12 +305,20 @@ void check_polygons(const Case& study, Reading& reading) {
            .allowed = "2",
            .remedy = {}},
           reading);
-  require(study.construction.convention != Convention::refill,
+  const bool refills = study.construction.convention == Convention::refill;
+  require(!refills || study.geometry.dimension == 2,
           {.where = study.where("construction.convention"),
-           .what = "what is drawn is not refilled",
-           .given = "\"refill\"",
-           .allowed = "\"drop\", \"float\" or \"level-up\"",
+           .what = "what is drawn in space is not refilled",
+           .given = "\"refill\" with geometry.dimension = 3",
+           .allowed = "\"drop\", \"float\" or \"level-up\"; \"refill\" in the plane",
            .remedy = "take \"level-up\", which makes up for the settlement before each stage"},
+          reading);
+  require(!refills || !study.motion,
+          {.where = study.where("construction.convention"),
+           .what = "formulas of a motion know no material that is added on the way",
+           .given = "\"refill\" with a table [motion]",
+           .allowed = "\"drop\", \"float\" or \"level-up\"",
+           .remedy = "take \"drop\", which places layers as drawn"},
           reading);
   require(!study.supports.empty(),
           {.where = study.where("geometry.shape"),

@@ -39,7 +39,9 @@ public:
     exchange::Stage stage;
     stage.layer = stage_load.layer;
     begin(study_.stages[static_cast<std::size_t>(number - 1)], stage_load, stage);
+    first_refilled_ = body_.points.next_id;
     const StageReport report = load(stage_load);
+    if (study_.geometry.drawn()) design_.note_refilled(body_.points);
     if (stage_load.action == exchange::Action::ground) forget_displacements(body_.points);
     record(report, stage);
     stage.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -77,6 +79,7 @@ private:
   std::vector<LayerPlacement> placements_; ///< of a column's layers
   std::vector<int> present_;               ///< layers that are drawn and there, the one placed last comes last
   Design design_{study_};
+  std::uint64_t first_refilled_ = 1; ///< of the points that a stage has added to make up for settlement, the first
   SurfaceLoads loads_;
 
   [[nodiscard]] bool is_explicit() const { return study_.mpm.scheme == exchange::Scheme::explicit_dynamic; }
@@ -99,7 +102,7 @@ private:
             .may_fail = study_.construction.may_fail,
             .failure_distance = study_.mpm.explicit_dynamic.failure_displacement * fill_height(),
             .starts_carried = entry.k0.has_value(),
-            .refill = refill_of(study_, entry.layer),
+            .refill = refill_of(study_, number, body_),
             .drive = drive_.get()};
   }
 
@@ -179,7 +182,7 @@ private:
     stage.in_equilibrium = report.in_equilibrium;
     stage.base_reaction = report.base_reaction;
     stage.mass = total_mass(body_.points);
-    stage.mass_refilled = refilled_mass(body_.points, stage.layer);
+    stage.mass_refilled = refilled_mass(body_.points, first_refilled_);
     stage.weight =
         study_.gravity * (stage.mass - (1.0 - report.failed_at.value_or(1.0)) * stage.mass_placed); // what acts
     stage.points = sample_points(body_.points);
@@ -189,8 +192,8 @@ private:
   }
 
   void record_drawn(const StageReport& report, exchange::Stage& stage) const {
-    const double row = dim == 2 ? 1.0 : body_.space.size() / body_.layout.row_points;
-    stage.surface_height = highest_surface(body_.points, row);
+    const double spacing = body_.space.size() / body_.layout.row_points;
+    stage.surface_height = highest_surface(body_.points, dim == 2 ? 1.0 : spacing, spacing);
     stage.probes = sample_drawn_probes(study_, body_.points, design_, present_);
     if (report.reactions.size() > 0) stage.support_reactions = support_reactions(study_, body_.space, report.reactions);
   }

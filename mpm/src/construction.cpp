@@ -90,9 +90,18 @@ Body<Space> empty_body(const exchange::Case& study) {
   return body;
 }
 
-Refill refill_of(const exchange::Case& study, int layer) {
+template <class Space>
+Refill refill_of(const exchange::Case& study, int stage, const Body<Space>& body) {
+  const exchange::StageEntry& entry = study.stages[static_cast<std::size_t>(stage - 1)];
+  const int layer = entry.layer;
   Refill refill{.rule = {}, .layer = layer};
-  if (study.construction.convention == exchange::Convention::refill) refill.rule = study.mpm.refill;
+  const bool brings_material = entry.action == exchange::Action::place || entry.action == exchange::Action::ground;
+  if (study.construction.convention != exchange::Convention::refill || !brings_material) return refill;
+  refill.rule = study.mpm.refill;
+  if constexpr (Space::dim == 2)
+    if (study.geometry.drawn())
+      refill.columns =
+          design_columns(study.geometry, study.layers_present(stage), body.space.box(), body.layout.row_points);
   refill.lower_level = (layer - 1) * study.layer_thickness();
   refill.design_level = layer * study.layer_thickness();
   refill.ends_closed = study.mpm.scheme == exchange::Scheme::quasi_static || !study.mpm.explicit_dynamic.hold;
@@ -100,15 +109,15 @@ Refill refill_of(const exchange::Case& study, int layer) {
 }
 
 template <int dim>
-double refilled_mass(const Points<dim>& points, int layer) {
+double refilled_mass(const Points<dim>& points, std::uint64_t first_id) {
   double mass = 0;
   for (std::size_t p = 0; p < points.size(); ++p)
-    if (points.refilled[p] != 0 && points.layer[p] == layer) mass += points.mass[p];
+    if (points.refilled[p] != 0 && points.id[p] >= first_id) mass += points.mass[p];
   return mass;
 }
 
-template double refilled_mass(const Points<2>&, int);
-template double refilled_mass(const Points<3>&, int);
+template double refilled_mass(const Points<2>&, std::uint64_t);
+template double refilled_mass(const Points<3>&, std::uint64_t);
 
 template <class Space>
 double mean_surface(const Body<Space>& body) {
@@ -153,6 +162,7 @@ void require_supported(const exchange::Case& study, const LayerPlacement& placem
 
 #define SETTLE_INSTANTIATE(Space)                                                                                      \
   template Body<Space> empty_body(const exchange::Case&);                                                              \
+  template Refill refill_of(const exchange::Case&, int, const Body<Space>&);                                           \
   template LayerPlacement placement_of(const exchange::Case&, int, const Body<Space>&);                                \
   template double mean_surface(const Body<Space>&);                                                                    \
   template void require_supported(const exchange::Case&, const LayerPlacement&, const Body<Space>&);

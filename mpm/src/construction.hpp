@@ -20,12 +20,15 @@ Body<Space> empty_body(const exchange::Case& study);
 template <class Space>
 LayerPlacement placement_of(const exchange::Case& study, int layer, const Body<Space>& body);
 
-/// How a layer of a column is refilled.
-Refill refill_of(const exchange::Case& study, int layer);
+/// How a stage is refilled: where it brings material, up to the level of its layer; a drawn one, up to the surface of
+/// all layers that are there.
+template <class Space>
+Refill refill_of(const exchange::Case& study, int stage, const Body<Space>& body);
 
-/// Mass of the points added to a layer, counted on its own so that the balance of a stage can be held against it.
+/// Mass of the refilled points from this one on, counted on its own so that the balance of a stage can be held against
+/// it [kg/m in 2-D].
 template <int dim>
-double refilled_mass(const Points<dim>& points, int layer);
+double refilled_mass(const Points<dim>& points, std::uint64_t first_id);
 
 /// Height of the settled surface: all points' volume over the width, in 3-D over the plan's area [m].
 template <class Space>

@@ -36,13 +36,22 @@ exchange::PlaneBox extent_of(const exchange::Geometry& geometry, int layer) {
 
 template <int dim>
 Scattered Design::layers(const Points<dim>& points, const std::vector<int>& layers) const {
-  Scattered scattered;
-  for (std::size_t p = 0; p < points.size(); ++p) {
-    if (std::find(layers.begin(), layers.end(), points.layer[p]) == layers.end()) continue;
-    scattered.points.push_back(p);
-    scattered.places.push_back(looked_up(place_of(points.id[p])));
-  }
-  return scattered;
+  return points_that(
+      points, [&](std::size_t p) { return std::find(layers.begin(), layers.end(), points.layer[p]) != layers.end(); });
+}
+
+template <int dim>
+Scattered Design::layer(const Points<dim>& points, int layer) const {
+  return points_that(points, [&](std::size_t p) { return points.layer[p] == layer && points.refilled[p] == 0; });
+}
+
+template <int dim>
+void Design::note_refilled(const Points<dim>& points) {
+  const std::size_t noted = places_.size();
+  places_.resize(static_cast<std::size_t>(points.next_id - 1));
+  for (std::size_t p = 0; p < points.size(); ++p)
+    if (const auto place = static_cast<std::size_t>(points.id[p] - 1); place >= noted)
+      places_[place] = in_design<dim>(placed_of(points, p));
 }
 
 template <int dim>
@@ -70,7 +79,8 @@ Place PresentLayers<dim>::surface(const Place& place) const {
 template <int dim>
 LayerLift::LayerLift(const exchange::Case& study, int layer, const PresentLayers<dim>& below, double spacing)
     : study_(study), layer_(layer) {
-  if (study.construction.convention == exchange::Convention::drop) return;
+  const exchange::Convention convention = study.construction.convention;
+  if (convention == exchange::Convention::drop || convention == exchange::Convention::refill) return;
   const exchange::PlaneBox extent = extent_of(study.geometry, layer);
   const double width = extent.highest[0] - extent.lowest[0];
   const int parts = std::max(1, static_cast<int>(std::ceil(width / spacing)));
@@ -96,6 +106,8 @@ auto LayerLift::spot(const Vector<2>& place) const -> Spot {
 }
 
 #define SETTLE_INSTANTIATE(dim)                                                                                        \
+  template void Design::note_refilled(const Points<dim>&);                                                             \
+  template Scattered Design::layer(const Points<dim>&, int) const;                                                     \
   template Scattered Design::layers(const Points<dim>&, const std::vector<int>&) const;                                \
   template class PresentLayers<dim>;                                                                                   \
   template LayerLift::LayerLift(const exchange::Case&, int, const PresentLayers<dim>&, double);

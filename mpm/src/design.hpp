@@ -26,6 +26,15 @@ Place in_design(const Vector<dim>& x) {
   return {x[0], dim == 3 ? x[1] : 0.0, x[dim - 1]};
 }
 
+/// Where a point was placed [m].
+template <int dim>
+Vector<dim> placed_of(const Points<dim>& points, std::size_t p) {
+  Vector<dim> placed;
+  for (std::size_t d = 0; d < dim; ++d)
+    placed[static_cast<int>(d)] = points.placed[d][p];
+  return placed;
+}
+
 /// So many points stand for a place of the section: one, in space a row of them along y.
 template <int dim>
 std::size_t points_in_a_row(const exchange::Case& study) {
@@ -47,6 +56,9 @@ public:
 
   /// The next point that is added has this place.
   void note(const Place& place) { places_.push_back(place); }
+  /// Points that were added since have theirs where they were placed: up to the surface as designed.
+  template <int dim>
+  void note_refilled(const Points<dim>& points);
   [[nodiscard]] const Place& place_of(std::uint64_t id) const { return places_[static_cast<std::size_t>(id - 1)]; }
   /// What a point has moved by since the design, up to where it was placed or is now [m].
   template <int dim>
@@ -57,17 +69,27 @@ public:
   [[nodiscard]] Place looked_up(const Place& place) const {
     return {place[0], varies_along_y_ ? place[1] : 0.0, place[2]};
   }
-  /// The points of a layer, or of several, each where its place is looked up.
+  /// The points that were placed with a layer, each where its place is looked up.
   template <int dim>
-  [[nodiscard]] Scattered layer(const Points<dim>& points, int layer) const {
-    return layers(points, {layer});
-  }
+  [[nodiscard]] Scattered layer(const Points<dim>& points, int layer) const;
+  /// Of several layers, with those they were refilled by.
   template <int dim>
   [[nodiscard]] Scattered layers(const Points<dim>& points, const std::vector<int>& layers) const;
 
 private:
   bool varies_along_y_;
   std::vector<Place> places_;
+
+  template <int dim, class Belongs>
+  [[nodiscard]] Scattered points_that(const Points<dim>& points, Belongs&& belong) const {
+    Scattered scattered;
+    for (std::size_t p = 0; p < points.size(); ++p) {
+      if (!belong(p)) continue;
+      scattered.points.push_back(p);
+      scattered.places.push_back(looked_up(place_of(points.id[p])));
+    }
+    return scattered;
+  }
 };
 
 /// Layers that are there, each with its points; the one placed last comes last.
@@ -89,9 +111,10 @@ private:
   const Design& design_;
 };
 
-/// How a layer is placed: as drawn (`drop`), or on what has settled below it (`float`, `level-up`). Vertical lines of
-/// the design stay vertical, and lead up from the current place of the material point at their foot, by as much as in
-/// the design (`float`), or so that the level of the layer's highest point is reached, parts of the way in proportion
+/// How a layer is placed: as drawn (`drop`, `refill`), or on what has settled below it (`float`, `level-up`). Vertical
+/// lines of the design stay vertical, and lead up from the current place of the material point at their foot, by as
+/// much as in the design (`float`), or so that the level of the layer's highest point is reached, parts of the way in
+/// proportion
 /// (`level-up`).
 class LayerLift {
 public:

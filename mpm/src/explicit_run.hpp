@@ -38,12 +38,12 @@ public:
   }
   /// The same, after what is due has been refilled.
   double refill_and_advance(double dt_max, const Gravity& gravity) {
-    step_.scatter(gravity);
-    if (refill_may_be_due(body_, load_.refill, step_.column_heights())) {
-      step_.gather();
-      refill_where_due(body_, load_.refill);
+    if (load_.refill.columns.empty()) { // level: the surface is known without the points
       step_.scatter(gravity);
+      if (!refill_may_be_due(body_, load_.refill, step_.column_heights())) return finish_step(dt_max);
     }
+    refill();
+    step_.scatter(gravity);
     return finish_step(dt_max);
   }
   int refill() {

@@ -92,11 +92,17 @@ void refill_row(Body<Space>& body, const RefillRow& row) {
   const Vector<dim> corner = body.space.corner(row.column, 0);
   Vector<dim> sides = Vector<dim>::Constant(spacing);
   sides[dim - 1] = row.height;
+  const double mean_top = row.parallel != nullptr ? row.parallel->mean_top() : 0.0;
   for (int i = 0; i < plan.size(); ++i) {
     Vector<dim> position;
     for (std::size_t d = 0; d < dim - 1; ++d)
       position[static_cast<int>(d)] = corner[static_cast<int>(d)] + (plan.index(i)[d] + 0.5) * spacing;
     position[dim - 1] = row.top - 0.5 * row.height;
+    if (row.parallel != nullptr) {
+      const auto& strip = row.parallel->strips[static_cast<std::size_t>(plan.index(i)[0])];
+      if (!strip) continue;
+      position[dim - 1] = std::max(position[dim - 1] + (strip->top - mean_top), strip->foot + 0.5 * row.height);
+    }
     body.points.add({.layer = row.layer,
                      .refilled = true,
                      .position = position,

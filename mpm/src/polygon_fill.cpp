@@ -37,8 +37,10 @@ Piece<2> measured(const Corners& corners) {
   return piece;
 }
 
-Piece<2> part_in_square(const exchange::Polygon& polygon, const Vector<2>& corner, double size) {
-  Corners part{corner, corner + Vector<2>(size, 0), corner + Vector<2>(size, size), corner + Vector<2>(0, size)};
+} // namespace
+
+Piece<2> part_in_box(const exchange::Polygon& polygon, const Vector<2>& corner, const Vector<2>& sides) {
+  Corners part{corner, corner + Vector<2>(sides[0], 0), corner + sides, corner + Vector<2>(0, sides[1])};
   const std::size_t n = polygon.corners.size();
   for (std::size_t i = 0; i < n && part.size() >= 3; ++i) {
     const auto &a = polygon.corners[i], &b = polygon.corners[(i + 1) % n];
@@ -47,16 +49,15 @@ Piece<2> part_in_square(const exchange::Polygon& polygon, const Vector<2>& corne
   return measured(part);
 }
 
-} // namespace
-
 std::vector<Piece<2>> cut_polygon(const exchange::Polygon& polygon, const Lattice<2>& lattice) {
   Vector<2> lowest(polygon.corners[0][0], polygon.corners[0][1]), highest = lowest;
   for (const auto& corner : polygon.corners) {
     lowest = lowest.cwiseMin(Vector<2>(corner[0], corner[1]));
     highest = highest.cwiseMax(Vector<2>(corner[0], corner[1]));
   }
-  const LatticeFill fill(lattice,
-                         [&](const Vector<2>& corner, double size) { return part_in_square(polygon, corner, size); });
+  const LatticeFill fill(lattice, [&](const Vector<2>& corner, double size) {
+    return part_in_box(polygon, corner, Vector<2>::Constant(size));
+  });
   return fill.pieces(lowest, highest);
 }
 

@@ -17,14 +17,6 @@ struct Row {
   int count = 0;
 };
 
-template <int dim>
-Vector<dim> placed_of(const Points<dim>& points, std::size_t p) {
-  Vector<dim> placed;
-  for (std::size_t d = 0; d < dim; ++d)
-    placed[static_cast<int>(d)] = points.placed[d][p];
-  return placed;
-}
-
 /// Points of a layer that were placed with it.
 template <int dim>
 std::vector<std::size_t> own_points(const Points<dim>& points, int layer) {

@@ -45,14 +45,42 @@ int rows_due(double gap, const Refill& refill) {
 struct Stack {
   int layer;
   int column;
-  double surface; ///< [m]
+  double surface;                         ///< in the mean over the rows [m]
+  double gap;                             ///< up to the designed surface; negative above it [m]
+  const DesignColumn* parallel = nullptr; ///< of what is drawn
 };
+
+/// Of what is drawn: nothing is missing where nothing is designed.
+Stack stack_below(const DesignColumn& design, int layer, int column, double height) {
+  const double covered = design.covered();
+  if (covered == 0.0) return {layer, column, height, 0.0, &design};
+  const double gap = (design.level - height) / covered;
+  return {layer, column, design.mean_top() - gap, gap, &design};
+}
+
+/// Over all columns of squares.
+template <class Space>
+std::vector<Stack> stacks_of(const Body<Space>& body, const Refill& refill) {
+  std::vector<Stack> stacks;
+  const auto next = [&stacks] { return static_cast<int>(stacks.size()); };
+  if constexpr (Space::dim == 2)
+    if (!refill.columns.empty()) {
+      const auto heights = extended_column_heights(body);
+      for (const DesignColumn& design : refill.columns)
+        stacks.push_back(stack_below(design, refill.layer, next(), heights[stacks.size()]));
+      return stacks;
+    }
+  for (const double height : column_heights(body))
+    stacks.push_back({refill.layer, next(), height, refill.design_level - height});
+  return stacks;
+}
 
 template <class Space>
 void add_rows(Body<Space>& body, const Stack& stack, int full_rows, double rest = 0.0) {
   const double height = refill_row_height(body);
   const auto add = [&](double top, double row) {
-    refill_row(body, {.layer = stack.layer, .column = stack.column, .top = top, .height = row});
+    refill_row(body,
+               {.layer = stack.layer, .column = stack.column, .top = top, .height = row, .parallel = stack.parallel});
   };
   for (int k = 1; k <= full_rows; ++k)
     add(stack.surface + k * height, height);
@@ -76,11 +104,9 @@ int refill_where_due(Body<Space>& body, const Refill& refill) {
   if (!refill.rule) return 0;
   if (*refill.rule == exchange::RefillRule::element) return refill_empty_cells(body, refill);
   const auto before = body.points.size();
-  const auto heights = column_heights(body);
-  for (int column = 0; column < body.space.columns(); ++column) {
-    const double surface = heights[static_cast<std::size_t>(column)], gap = refill.design_level - surface;
-    add_rows(body, {refill.layer, column, surface}, rows_due(gap / refill_row_height(body), refill));
-  }
+  const double row = refill_row_height(body);
+  for (const Stack& stack : stacks_of(body, refill))
+    add_rows(body, stack, rows_due(stack.gap / row, refill));
   return sort_in(body, before);
 }
 
@@ -90,12 +116,10 @@ int close_gap(Body<Space>& body, const Refill& refill) {
   if (*refill.rule == exchange::RefillRule::element) return refill_empty_cells(body, refill);
   const auto before = body.points.size();
   const double row = refill_row_height(body);
-  const auto heights = column_heights(body);
-  for (int column = 0; column < body.space.columns(); ++column) {
-    const double surface = heights[static_cast<std::size_t>(column)];
-    const double gap = std::max(0.0, refill.design_level - surface);
+  for (const Stack& stack : stacks_of(body, refill)) {
+    const double gap = std::max(0.0, stack.gap);
     const int full_rows = static_cast<int>(std::floor(gap / row));
-    add_rows(body, {refill.layer, column, surface}, full_rows, gap - full_rows * row);
+    add_rows(body, stack, full_rows, gap - full_rows * row);
   }
   return sort_in(body, before);
 }

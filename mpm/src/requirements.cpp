@@ -228,6 +228,20 @@ void require_splines_that_rest(const exchange::Case& study) {
                               .remedy = "set mpm.integration = \"points\""});
 }
 
+/// Cells on a slope empty because their points go sideways, and are not what is missing.
+void require_refill_by_rows(const exchange::Case& study) {
+  if (study.construction.convention != exchange::Convention::refill ||
+      study.mpm.refill != exchange::RefillRule::element)
+    return;
+  throw exchange::InputError(
+      {.where = study.where("mpm.refill"),
+       .what =
+           "what is drawn is refilled in rows of points: an empty element on a slope is no measure of what is missing",
+       .given = "mpm.refill = \"element\" with construction.convention = \"refill\"",
+       .allowed = "\"sub-element\"; for a column also \"element\"",
+       .remedy = "set mpm.refill = \"sub-element\""});
+}
+
 /// What polygons and a motion ask for that is not there.
 void require_polygons_that_fit(const exchange::Case& study) {
   if (const auto box = kind_of(study.mpm.element).box)
@@ -240,6 +254,7 @@ void require_polygons_that_fit(const exchange::Case& study) {
   const bool is_solid = study.geometry.dimension == 3;
   if (is_solid && !study.geometry.varies_along_y()) require_depth_that_fits(study);
   if (is_solid) require_no_loads(study);
+  require_refill_by_rows(study);
   require_splines_that_rest(study);
   require_stages_that_fit(study);
   if (study.mpm.scheme == exchange::Scheme::quasi_static) return;

@@ -36,15 +36,18 @@ template exchange::SamplePoints sample_points(const Points<2>&);
 template exchange::SamplePoints sample_points(const Points<3>&);
 
 template <int dim>
-double highest_surface(const Points<dim>& points, double row) {
+double highest_surface(const Points<dim>& points, double row, double spacing) {
   double highest = -std::numeric_limits<double>::infinity();
-  for (std::size_t p = 0; p < points.size(); ++p)
-    highest = std::max(highest, points.position[dim - 1][p] + 0.5 * std::sqrt(points.volume[p] / row));
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    const double area = points.volume[p] / row;
+    const double height = points.refilled[p] != 0 ? area / spacing : std::sqrt(area);
+    highest = std::max(highest, points.position[dim - 1][p] + 0.5 * height);
+  }
   return highest;
 }
 
-template double highest_surface(const Points<2>&, double);
-template double highest_surface(const Points<3>&, double);
+template double highest_surface(const Points<2>&, double, double);
+template double highest_surface(const Points<3>&, double, double);
 
 template <class Space>
 double surface_height(const Body<Space>& body, exchange::Convention convention) {

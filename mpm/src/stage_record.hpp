@@ -32,10 +32,10 @@ std::map<std::string, exchange::ProbeSamples> sample_drawn_probes(const exchange
                                                                   const Points<dim>& points, const Design& design,
                                                                   const std::vector<int>& present);
 
-/// Of what is drawn: the highest point plus half the side of its square; `row`: what a point fills along y, 1 in 2-D
-/// [m].
+/// Of what is drawn: the highest point plus half the side of its square, of a refilled one half the height of its row.
+/// `row`: what a point fills along y, 1 in 2-D [m]; `spacing`: of points [m].
 template <int dim>
-double highest_surface(const Points<dim>& points, double row);
+double highest_surface(const Points<dim>& points, double row, double spacing);
 
 /// Height of a column's surface [m]: points' volume over the width, in 3-D over the plan's area; for `drop`, where
 /// there may be gaps, the highest point plus half the height of its row.

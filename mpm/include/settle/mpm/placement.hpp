@@ -3,6 +3,7 @@
 #pragma once
 
 #include "settle/mpm/body.hpp"
+#include "settle/mpm/design_column.hpp"
 
 namespace settle::mpm {
 
@@ -31,12 +32,13 @@ void refill_cell(Body<Space>& body, int cell, int layer);
 template <class Space>
 double refill_row_height(const Body<Space>& body);
 
-/// A refilled row.
+/// A refilled row: level, or parallel to a designed surface where there is one.
 struct RefillRow {
   int layer = 1;
-  int column = 0;    ///< of squares
-  double top = 0;    ///< height of its upper side [m]
-  double height = 0; ///< [m]
+  int column = 0;                         ///< of squares
+  double top = 0;                         ///< height of its upper side, in the mean over the row [m]
+  double height = 0;                      ///< [m]
+  const DesignColumn* parallel = nullptr; ///< to what is designed over the column; below it there is no point
 };
 template <class Space>
 void refill_row(Body<Space>& body, const RefillRow& row);

@@ -28,6 +28,9 @@ struct Piece {
   double volume = 0;    ///< [m3], in the plane an area [m2]
 };
 
+/// The part of a convex polygon in an upright rectangle with this lowest corner; of area 0 if there is none.
+Piece<2> part_in_box(const exchange::Polygon& polygon, const Vector<2>& corner, const Vector<2>& sides);
+
 /// The pieces into which a lattice cuts a convex polygon, cell by cell, row by row from below (Sutherland & Hodgman
 /// 1974 for the cutting). The area of the polygon is kept, and its first moment but for cells of which less than a
 /// third of a lattice square is filled: these are left empty, and the nearest piece gets their area. Small parts of a
