@@ -14,7 +14,7 @@
 namespace settle::exchange {
 namespace {
 
-/// FileWords of a text, line by line. Numbers do not depend on the language of the system.
+/// Words of a text, line by line. Numbers do not depend on the language of the system.
 class FileWords {
 public:
   FileWords(std::string_view text, const std::string& name) : text_(text), name_(name) {}

@@ -65,9 +65,14 @@ TEST(MeshOfAColumn, SettlesAsTheClosedForm) {
   expect_column(stages_of(read(gmsh::solid_block(counts), counts, {"mpm.element_size=0.25"}, axis_in_space)).back(), 3);
 }
 
-TEST(MeshOfABank, IsTheSameAsItsOutlineDrawn) {
+/// By convention of construction.
+class MeshOfABank : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(MeshOfABank, IsTheSameAsItsOutlineDrawn) {
   const exchange::Case study =
-      read(gmsh::plane_block({.across = 4}, make_bank), {.across = 4}, {"geometry.mesh.roller=[]"}, axis_in_plane);
+      read(gmsh::plane_block({.across = 4}, make_bank), {.across = 4},
+           {"geometry.mesh.roller=[]", "construction.convention=" + GetParam(), "material.fill.youngs_modulus=1e5"},
+           axis_in_plane);
   exchange::Case drawn = study;
   drawn.geometry.shape = exchange::Shape::polygons;
   drawn.geometry.mesh.reset();
@@ -83,7 +88,11 @@ TEST(MeshOfABank, IsTheSameAsItsOutlineDrawn) {
     EXPECT_NEAR(meshed[k].base_reaction, meshed[k].weight, 1e-8 * meshed[k].weight);
   }
   EXPECT_NEAR(meshed[0].mass_placed, 2000.0 * 3.6, 1e-9);
+  EXPECT_EQ(meshed[1].mass_refilled > 0.0, GetParam() == "refill");
 }
+INSTANTIATE_TEST_SUITE_P(All, MeshOfABank, ::testing::Values("level-up", "refill"), [](const auto& parameter) {
+  return parameter.param == "refill" ? std::string("refilled") : std::string("levelled");
+});
 
 /// Displacements of all points, by the places where they were placed.
 std::vector<double> in_order(const exchange::SamplePoints& points) {
