@@ -59,7 +59,7 @@ private:
   std::atomic<std::uint32_t> state_ = 0;
   std::vector<std::jthread> helpers_; ///< the first is thread 1: 0 is the calling one
 
-  static constexpr std::uint32_t open = 1U << 8, over = open << 1, round = over << 1;
+  static constexpr std::uint32_t open = 1U << 12, over = open << 1, round = over << 1;
 
   void run(const Shares& shares, const Task& task);
   void hand_out(const Shares& shares);

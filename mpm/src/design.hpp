@@ -114,8 +114,7 @@ private:
 /// How a layer is placed: as drawn (`drop`, `refill`), or on what has settled below it (`float`, `level-up`). Vertical
 /// lines of the design stay vertical, and lead up from the current place of the material point at their foot, by as
 /// much as in the design (`float`), or so that the level of the layer's highest point is reached, parts of the way in
-/// proportion
-/// (`level-up`).
+/// proportion (`level-up`).
 class LayerLift {
 public:
   /// `spacing`: of the verticals on which the surface below is looked for; between them it is linear [m].
