@@ -4,12 +4,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "complaint.hpp"
 #include "frozen_column.hpp"
 #include "gmsh_text.hpp"
 #include "settle/exchange/case_io.hpp"
-#include "settle/exchange/errors.hpp"
 #include "settle/exchange/mesh_geometry.hpp"
-#include "settle/fem/requirements.hpp"
 
 namespace settle::fem::testing {
 namespace {
@@ -170,16 +169,6 @@ TEST(MeshOfHexahedra, BulgesWhereItIsFree) {
   const std::vector<double> through = stages.front().probes.at("through").displacement;
   EXPECT_LT(through[1], -1e-6);
   EXPECT_NEAR(through[4], -through[1], 1e-12);
-}
-
-/// Empty where the case can be solved.
-std::string complaint_about(const exchange::Case& study) {
-  try {
-    require_solvable(study);
-  } catch (const exchange::InputError& error) {
-    return error.what();
-  }
-  return {};
 }
 
 TEST(MeshOfHexahedra, AtFiniteStrainLiesAsAWholeOnWhatWasPlacedBefore) {

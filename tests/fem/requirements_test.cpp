@@ -4,25 +4,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "complaint.hpp"
 #include "frozen_column.hpp"
 #include "settle/exchange/case_io.hpp"
-#include "settle/exchange/errors.hpp"
 
 namespace settle::fem::testing {
 namespace {
 
 using ::testing::AllOf;
 using ::testing::HasSubstr;
-
-/// The text of the InputError that a case ends in; empty if it is accepted.
-std::string complaint_about(const exchange::Case& study) {
-  try {
-    require_solvable(study);
-  } catch (const exchange::InputError& error) {
-    return error.what();
-  }
-  return {};
-}
 
 TEST(Requirements, CountCellsAlongEachAxis) {
   using Counts = std::array<unsigned, 3>;

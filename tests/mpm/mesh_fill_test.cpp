@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "gmsh_text.hpp"
+#include "pieces.hpp"
 #include "settle/exchange/case_io.hpp"
 #include "settle/exchange/mesh_geometry.hpp"
 #include "settle/exchange/valley.hpp"
@@ -13,6 +14,7 @@
 
 using namespace settle;
 using namespace settle::mpm;
+using mpm::test::sum;
 
 namespace {
 
@@ -21,17 +23,6 @@ using Position = std::array<double, 3>;
 exchange::Mesh mesh_of(const gmsh::Place& place, const gmsh::Block& counts = {.across = 3, .deep = 2, .layers = 2}) {
   const std::string text = gmsh::case_of(gmsh::solid_block(counts, place).text(), counts);
   return *exchange::parse_case(text, "block.toml", {"geometry.mesh.roller=[]"}).geometry.mesh;
-}
-
-/// Volume and first moment of all pieces.
-Piece<3> sum(const std::vector<Piece<3>>& pieces) {
-  Piece<3> total{Vector<3>::Zero(), 0.0};
-  for (const Piece<3>& piece : pieces) {
-    total.volume += piece.volume;
-    total.centroid += piece.volume * piece.centroid;
-  }
-  total.centroid /= total.volume;
-  return total;
 }
 
 void shear_and_twist(Position& node) {

@@ -4,10 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include "pieces.hpp"
 #include "settle/exchange/valley.hpp"
 
 using namespace settle;
 using namespace settle::mpm;
+using mpm::test::sum;
 
 namespace {
 
@@ -20,16 +22,6 @@ exchange::Geometry dam(const std::vector<double>& slopes, const std::vector<doub
 }
 
 const exchange::Geometry lopsided = dam({2.0, 1.25}, {0.6, 1.1});
-
-Piece<3> sum(const std::vector<Piece<3>>& pieces) {
-  Piece<3> total{Vector<3>::Zero(), 0.0};
-  for (const Piece<3>& piece : pieces) {
-    total.volume += piece.volume;
-    total.centroid += piece.volume * piece.centroid;
-  }
-  total.centroid /= total.volume;
-  return total;
-}
 
 /// Of what lies between two heights, by Gauss points in closed form: everything is of degree 3 or less in the height.
 Piece<3> whole(const exchange::Geometry& geometry, const Levels& levels) {
