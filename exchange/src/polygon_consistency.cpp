@@ -306,13 +306,14 @@ void check_polygons(const Case& study, Reading& reading) {
            .remedy = {}},
           reading);
   const bool refills = study.construction.convention == Convention::refill;
-  require(!refills || study.geometry.dimension == 2,
-          {.where = study.where("construction.convention"),
-           .what = "what is drawn in space is not refilled",
-           .given = "\"refill\" with geometry.dimension = 3",
-           .allowed = "\"drop\", \"float\" or \"level-up\"; \"refill\" in the plane",
-           .remedy = "take \"level-up\", which makes up for the settlement before each stage"},
-          reading);
+  require(
+      !refills || !study.geometry.varies_along_y(),
+      {.where = study.where("construction.convention"),
+       .what = "in space what is refilled is the same all along y",
+       .given = study.geometry.valley ? "\"refill\" with a [geometry.valley]" : "\"refill\" with a mesh of hexahedra",
+       .allowed = "\"drop\", \"float\" or \"level-up\"; \"refill\" of an extruded section",
+       .remedy = "take \"level-up\", which makes up for the settlement before each stage"},
+      reading);
   require(!refills || !study.motion,
           {.where = study.where("construction.convention"),
            .what = "formulas of a motion know no material that is added on the way",

@@ -98,10 +98,9 @@ Refill refill_of(const exchange::Case& study, int stage, const Body<Space>& body
   const bool brings_material = entry.action == exchange::Action::place || entry.action == exchange::Action::ground;
   if (study.construction.convention != exchange::Convention::refill || !brings_material) return refill;
   refill.rule = study.mpm.refill;
-  if constexpr (Space::dim == 2)
-    if (study.geometry.drawn())
-      refill.columns =
-          design_columns(study.geometry, study.layers_present(stage), body.space.box(), body.layout.row_points);
+  if (study.geometry.drawn())
+    refill.columns =
+        design_columns(study.geometry, study.layers_present(stage), body.space.box(), body.layout.row_points);
   refill.lower_level = (layer - 1) * study.layer_thickness();
   refill.design_level = layer * study.layer_thickness();
   refill.ends_closed = study.mpm.scheme == exchange::Scheme::quasi_static || !study.mpm.explicit_dynamic.hold;

@@ -79,8 +79,7 @@ Place PresentLayers<dim>::surface(const Place& place) const {
 template <int dim>
 LayerLift::LayerLift(const exchange::Case& study, int layer, const PresentLayers<dim>& below, double spacing)
     : study_(study), layer_(layer) {
-  const exchange::Convention convention = study.construction.convention;
-  if (convention == exchange::Convention::drop || convention == exchange::Convention::refill) return;
+  if (lies_as_drawn(study.construction.convention)) return;
   const exchange::PlaneBox extent = extent_of(study.geometry, layer);
   const double width = extent.highest[0] - extent.lowest[0];
   const int parts = std::max(1, static_cast<int>(std::ceil(width / spacing)));

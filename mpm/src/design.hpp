@@ -43,6 +43,11 @@ std::size_t points_in_a_row(const exchange::Case& study) {
   return static_cast<std::size_t>(std::lround(deep) * std::lround(std::cbrt(*study.mpm.points_per_element)));
 }
 
+/// Has a layer its place in the design, whatever has settled below it?
+inline bool lies_as_drawn(exchange::Convention convention) {
+  return convention == exchange::Convention::drop || convention == exchange::Convention::refill;
+}
+
 /// What is fitted through: of a section, the rows at the nearest places.
 template <int dim>
 std::size_t points_of_a_fit(const exchange::Case& study) {

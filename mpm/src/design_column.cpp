@@ -37,12 +37,44 @@ void add(const exchange::Polygon& polygon, const exchange::PlaneBox& extent, dou
   }
 }
 
-/// Half of what a point extended along x when it was placed [m].
+/// Half of what a point extended along a horizontal axis when it was placed [m].
 template <class Space>
-double half_width(const Body<Space>& body, std::size_t p) {
-  const double size = body.space.size(), column = (body.points.placed[0][p] - body.space.origin()[0]) / size;
+double half_width(const Body<Space>& body, std::size_t p, std::size_t axis) {
+  const double size = body.space.size(), origin = body.space.origin()[static_cast<int>(axis)];
+  const double column = (body.points.placed[axis][p] - origin) / size;
   const double inside = column - std::floor(column);
   return size * std::min({0.5 / body.layout.row_points, inside, 1.0 - inside});
+}
+
+/// Over which squares of the grid a point extends along a horizontal axis.
+struct Spread {
+  double origin, size; ///< of the grid and its squares [m]
+  double middle, half; ///< of the point, and half of what it extends [m]
+  int first, last;     ///< squares along the axis
+
+  /// Of the point over a square.
+  [[nodiscard]] double share(int square) const {
+    if (first == last) return 1.0;
+    const double from = square == first ? middle - half : origin + square * size;
+    const double to = square == last ? middle + half : origin + (square + 1) * size;
+    return (to - from) / (2.0 * half);
+  }
+};
+
+template <class Space>
+Spread spread_of(const Body<Space>& body, std::size_t p, std::size_t axis) {
+  Spread spread{.origin = body.space.origin()[static_cast<int>(axis)],
+                .size = body.space.size(),
+                .middle = body.points.position[axis][p],
+                .half = half_width(body, p, axis),
+                .first = 0,
+                .last = 0};
+  const auto square_at = [&](double x) {
+    const int count = body.space.box().counts[axis];
+    return std::clamp(static_cast<int>(std::floor((x - spread.origin) / spread.size)), 0, count - 1);
+  };
+  spread.first = square_at(spread.middle - spread.half), spread.last = square_at(spread.middle + spread.half);
+  return spread;
 }
 
 } // namespace
@@ -75,25 +107,28 @@ std::vector<DesignColumn> design_columns(const exchange::Geometry& geometry, con
 
 template <class Space>
 std::vector<double> extended_column_heights(const Body<Space>& body) {
-  const double left = body.space.origin()[0], size = body.space.size();
-  std::vector<double> heights(static_cast<std::size_t>(body.space.columns()), body.space.origin()[1]);
-  const auto column_at = [&](double x) {
-    return std::clamp(static_cast<int>(std::floor((x - left) / size)), 0, body.space.columns() - 1);
-  };
+  constexpr int dim = Space::dim;
+  const int across = body.space.box().counts[0];
+  std::vector<double> heights(static_cast<std::size_t>(body.space.columns()), body.space.origin()[dim - 1]);
   for (std::size_t p = 0; p < body.points.size(); ++p) {
-    const double x = body.points.position[0][p], half = half_width(body, p);
     const double height = body.points.volume[p] / body.space.column_area();
-    const int first = column_at(x - half), last = column_at(x + half);
-    for (int column = first; column <= last; ++column) {
-      const double from = column == first ? x - half : left + column * size;
-      const double to = column == last ? x + half : left + (column + 1) * size;
-      heights[static_cast<std::size_t>(column)] += first == last ? height : (to - from) / (2.0 * half) * height;
+    const Spread x = spread_of(body, p, 0);
+    const auto add_slice = [&](int j, double share) {
+      for (int i = x.first; i <= x.last; ++i)
+        heights[static_cast<std::size_t>(i + across * j)] += share * x.share(i) * height;
+    };
+    if constexpr (dim == 2) {
+      add_slice(0, 1.0);
+    } else {
+      const Spread y = spread_of(body, p, 1);
+      for (int j = y.first; j <= y.last; ++j)
+        add_slice(j, y.share(j));
     }
   }
   return heights;
 }
 
 #define SETTLE_INSTANTIATE(Space) template std::vector<double> extended_column_heights(const Body<Space>&);
-SETTLE_FOR_EVERY_PLANE_SPACE(SETTLE_INSTANTIATE)
+SETTLE_FOR_EVERY_SPACE(SETTLE_INSTANTIATE)
 
 } // namespace settle::mpm

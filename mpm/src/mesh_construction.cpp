@@ -95,7 +95,7 @@ bool MeshHolds::stands_for(const Side& side, const Vector<3>& node) const {
 }
 
 SolidLift lift_in_mesh(const exchange::Case& study, int layer, const PresentLayers<3>& below, double spacing) {
-  if (study.construction.convention == exchange::Convention::drop) return {};
+  if (lies_as_drawn(study.construction.convention)) return {};
   const exchange::LayerOfMesh own(*study.geometry.mesh, layer);
   const exchange::SolidBox box = own.box();
   const Levels levels{box.lowest[2], box.highest[2]};

@@ -99,7 +99,7 @@ void refill_row(Body<Space>& body, const RefillRow& row) {
       position[static_cast<int>(d)] = corner[static_cast<int>(d)] + (plan.index(i)[d] + 0.5) * spacing;
     position[dim - 1] = row.top - 0.5 * row.height;
     if (row.parallel != nullptr) {
-      const auto& strip = row.parallel->strips[static_cast<std::size_t>(plan.index(i)[0])];
+      const auto& strip = row.parallel->strips[static_cast<std::size_t>(i)];
       if (!strip) continue;
       position[dim - 1] = std::max(position[dim - 1] + (strip->top - mean_top), strip->foot + 0.5 * row.height);
     }

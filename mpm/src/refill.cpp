@@ -63,13 +63,12 @@ template <class Space>
 std::vector<Stack> stacks_of(const Body<Space>& body, const Refill& refill) {
   std::vector<Stack> stacks;
   const auto next = [&stacks] { return static_cast<int>(stacks.size()); };
-  if constexpr (Space::dim == 2)
-    if (!refill.columns.empty()) {
-      const auto heights = extended_column_heights(body);
-      for (const DesignColumn& design : refill.columns)
-        stacks.push_back(stack_below(design, refill.layer, next(), heights[stacks.size()]));
-      return stacks;
-    }
+  if (!refill.columns.empty()) {
+    const auto heights = extended_column_heights(body);
+    for (const DesignColumn& design : refill.columns)
+      stacks.push_back(stack_below(design, refill.layer, next(), heights[stacks.size()]));
+    return stacks;
+  }
   for (const double height : column_heights(body))
     stacks.push_back({refill.layer, next(), height, refill.design_level - height});
   return stacks;

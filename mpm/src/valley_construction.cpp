@@ -26,7 +26,7 @@ SolidLift lift_in_valley(const exchange::Case& study, int layer, const PresentLa
   const Levels levels = levels_of_layer(study.geometry, layer);
   const exchange::Span x = exchange::fill_at(*study.geometry.embankment, levels.low);
   const exchange::Span y = exchange::valley_at(*study.geometry.valley, levels.low);
-  if (study.construction.convention == exchange::Convention::drop || !(y.width() > 0.0)) return {};
+  if (lies_as_drawn(study.construction.convention) || !(y.width() > 0.0)) return {};
   return {{.levels = levels, .x = x, .y = y, .spacing = spacing},
           study.construction.convention == exchange::Convention::level_up,
           [&](double along, double across, bool on_flank) -> SolidLift::Foot {

@@ -1,6 +1,7 @@
 // What is designed over a column of squares, and what is there of it.
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 #include <random>
 
@@ -52,6 +53,24 @@ TEST(DesignColumns, KnowTheSurfaceInTheMiddleOfEachStrip) {
   EXPECT_EQ(toe.covered(), 0.5);
 }
 
+TEST(DesignColumns, AreInSpaceThoseOfTheSectionAllAlongIt) {
+  const GridBox<3> grid{.counts = {6, 3, 5}, .size = 0.5, .origin = Vector<3>(-0.5, 0.0, 0.0)};
+  const auto section = design_columns(wedge(), {1, 2}, squares_beside_a_wedge, 2);
+  const auto columns = design_columns(wedge(), {1, 2}, grid, 2);
+  ASSERT_EQ(columns.size(), 3 * section.size());
+  for (std::size_t c = 0; c < columns.size(); ++c) {
+    const DesignColumn& reference = section[c % section.size()];
+    EXPECT_EQ(columns[c].level, reference.level);
+    ASSERT_EQ(columns[c].strips.size(), 4U);
+    for (std::size_t i = 0; i < 4; ++i) {
+      ASSERT_EQ(columns[c].strips[i].has_value(), reference.strips[i % 2].has_value());
+      if (columns[c].strips[i]) {
+        EXPECT_EQ(columns[c].strips[i]->top, reference.strips[i % 2]->top);
+      }
+    }
+  }
+}
+
 TEST(ExtendedColumnHeights, AreThoseOfTheColumnWhereNothingHasGoneSideways) {
   const auto body = block<QuadrilateralSpace>();
   const auto extended = extended_column_heights(body), counted = column_heights(body);
@@ -77,13 +96,36 @@ TEST(ExtendedColumnHeights, ChangeEvenlyWhilePointsPassFromColumnToColumn) {
   }
 }
 
-TEST(ExtendedColumnHeights, HoldAllVolumeWhereverPointsAre) {
+/// Along each axis as in the plane, and together by the product of the shares.
+TEST(ExtendedColumnHeights, ChangeInSpaceByTheSharesAlongBothAxes) {
+  auto body = block<HexahedronSpace>({.columns = 3, .deep = 3, .rows = 4, .filled_rows = 3});
+  const double along_x = 0.3, along_y = 0.6;
+  for (std::size_t p = 0; p < body.points.size(); ++p) {
+    if (body.points.position[0][p] > 1.0 || body.points.position[1][p] > 1.0) body.points.volume[p] = 0.0;
+    body.points.position[0][p] = std::min(body.points.position[0][p] + along_x * body.space.size(), 1.49);
+    body.points.position[1][p] = std::min(body.points.position[1][p] + along_y * body.space.size(), 1.49);
+  }
+  body.sort();
+  const auto heights = extended_column_heights(body);
+  const std::array<double, 3> x{1.0 - along_x, 1.0, along_x}, y{1.0 - along_y, 1.0, along_y};
+  for (std::size_t j = 0; j < 3; ++j)
+    for (std::size_t i = 0; i < 3; ++i)
+      EXPECT_NEAR(heights[i + 3 * j], 1.5 * x[i] * y[j], 1e-14) << i << ", " << j;
+}
+
+template <class Space>
+void expect_all_volume_in_columns() {
   std::mt19937 random(7);
-  auto body = block<QuadrilateralSpace>({.columns = 5});
+  auto body = block<Space>({.columns = 5});
   scatter_positions(body, random, 0.4);
   const auto heights = extended_column_heights(body);
   EXPECT_NEAR(std::accumulate(heights.begin(), heights.end(), 0.0) * body.space.column_area(),
               total_volume(body.points), 1e-13);
+}
+
+TEST(ExtendedColumnHeights, HoldAllVolumeWhereverPointsAre) {
+  expect_all_volume_in_columns<QuadrilateralSpace>();
+  expect_all_volume_in_columns<HexahedronSpace>();
 }
 
 /// A column under a slope of 1:5, one metre high in the middle, half a metre of it there.

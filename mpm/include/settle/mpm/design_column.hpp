@@ -16,28 +16,31 @@ struct Body;
 
 /// What is designed over one column of squares.
 struct DesignColumn {
-  /// A part of the column, as wide as points lie apart; heights in its middle [m].
+  /// A part of the column, in plan as wide as points lie apart; heights in its middle [m].
   struct Strip {
     double top = 0;  ///< of the designed surface
     double foot = 0; ///< of the lower side of what is designed
   };
 
-  double level = 0;                         ///< the grid's base, and designed area over the column's width [m]
-  std::vector<std::optional<Strip>> strips; ///< from left to right; empty where nothing is designed in their middle
+  double level = 0;                         ///< the grid's base, and designed volume over the column's area in plan [m]
+  std::vector<std::optional<Strip>> strips; ///< along x first; empty where nothing is designed in their middle
 
-  /// Share of the width over which something is designed.
+  /// Share of the plan over which something is designed.
   [[nodiscard]] double covered() const;
   /// Of the designed surface, where there is one [m].
   [[nodiscard]] double mean_top() const;
 };
 
-/// Of the polygons of these layers, over every column of squares of a grid. Areas are exact.
+/// What is drawn of these layers, over every column of squares of a grid, `strips` of them along each horizontal axis.
+/// Areas of polygons are exact.
 std::vector<DesignColumn> design_columns(const exchange::Geometry& geometry, const std::set<int>& layers,
                                          const GridBox<2>& grid, int strips);
+std::vector<DesignColumn> design_columns(const exchange::Geometry& geometry, const std::set<int>& layers,
+                                         const GridBox<3>& grid, int strips);
 
 /// As `column_heights`, for material that moves sideways: a point's volume is shared by the columns over which it
-/// extends, evenly. Half of what it extends is half the points' spacing, or the distance to the nearer side of its
-/// column as it was placed where that is less: then all its volume was in its column [m].
+/// extends, evenly. Half of what it extends along a horizontal axis is half the points' spacing, or the distance to the
+/// nearer side of its column as it was placed where that is less: then all its volume was in its column [m].
 template <class Space>
 std::vector<double> extended_column_heights(const Body<Space>& body);
 
