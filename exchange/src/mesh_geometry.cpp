@@ -164,12 +164,23 @@ LayerOfMesh::LayerOfMesh(const Mesh& mesh, int layer) : box_(empty_box()), mesh_
   }
 }
 
-std::optional<double> LayerOfMesh::lower_side(double x, double y) const {
-  std::optional<double> lowest;
+std::vector<double> LayerOfMesh::heights_at(double x, double y) const {
+  std::vector<double> heights;
   for (const std::vector<unsigned>& side : surface_)
-    if (const auto height = height_of_side(mesh_, side, x, y); height && (!lowest || *height < *lowest))
-      lowest = height;
-  return lowest;
+    if (const auto height = height_of_side(mesh_, side, x, y)) heights.push_back(*height);
+  return heights;
+}
+
+std::optional<double> LayerOfMesh::lower_side(double x, double y) const {
+  const std::vector<double> heights = heights_at(x, y);
+  if (heights.empty()) return {};
+  return *std::min_element(heights.begin(), heights.end());
+}
+
+std::optional<double> LayerOfMesh::upper_side(double x, double y) const {
+  const std::vector<double> heights = heights_at(x, y);
+  if (heights.empty()) return {};
+  return *std::max_element(heights.begin(), heights.end());
 }
 
 std::vector<int> layers_at(const Mesh& mesh, const SolidPoint& point, double slack) {

@@ -305,16 +305,7 @@ void check_polygons(const Case& study, Reading& reading) {
            .allowed = "2",
            .remedy = {}},
           reading);
-  const bool refills = study.construction.convention == Convention::refill;
-  require(
-      !refills || !study.geometry.varies_along_y(),
-      {.where = study.where("construction.convention"),
-       .what = "in space what is refilled is the same all along y",
-       .given = study.geometry.valley ? "\"refill\" with a [geometry.valley]" : "\"refill\" with a mesh of hexahedra",
-       .allowed = "\"drop\", \"float\" or \"level-up\"; \"refill\" of an extruded section",
-       .remedy = "take \"level-up\", which makes up for the settlement before each stage"},
-      reading);
-  require(!refills || !study.motion,
+  require(study.construction.convention != Convention::refill || !study.motion,
           {.where = study.where("construction.convention"),
            .what = "formulas of a motion know no material that is added on the way",
            .given = "\"refill\" with a table [motion]",

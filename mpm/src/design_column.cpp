@@ -29,12 +29,8 @@ void add(const exchange::Polygon& polygon, const exchange::PlaneBox& extent, dou
   const Vector<2> corner(x, extent.lowest[1]), sides(width, extent.highest[1] - extent.lowest[1]);
   column.level += part_in_box(polygon, corner, sides).volume / width;
   const auto n = static_cast<double>(column.strips.size());
-  for (std::size_t i = 0; i < column.strips.size(); ++i) {
-    auto& strip = column.strips[i];
-    const auto cut = cut_along(polygon, x + (static_cast<double>(i) + 0.5) / n * width);
-    if (!cut) continue;
-    strip = strip ? DesignColumn::Strip{std::max(strip->top, cut->top), std::min(strip->foot, cut->foot)} : *cut;
-  }
+  for (std::size_t i = 0; i < column.strips.size(); ++i)
+    if (const auto cut = cut_along(polygon, x + (static_cast<double>(i) + 0.5) / n * width)) column.add(i, *cut);
 }
 
 /// Half of what a point extended along a horizontal axis when it was placed [m].
@@ -78,6 +74,11 @@ Spread spread_of(const Body<Space>& body, std::size_t p, std::size_t axis) {
 }
 
 } // namespace
+
+void DesignColumn::add(std::size_t strip, const Strip& there) {
+  auto& own = strips[strip];
+  own = own ? Strip{std::max(own->top, there.top), std::min(own->foot, there.foot)} : there;
+}
 
 double DesignColumn::covered() const {
   const auto covered = std::count_if(strips.begin(), strips.end(), [](const auto& strip) { return strip.has_value(); });

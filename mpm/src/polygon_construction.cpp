@@ -8,9 +8,9 @@
 #include "mesh_construction.hpp"
 #include "settle/exchange/errors.hpp"
 #include "settle/exchange/plane_geometry.hpp"
-#include "settle/mpm/mesh_fill.hpp"
 #include "settle/mpm/polygon_fill.hpp"
 #include "settle/mpm/spaces.hpp"
+#include "solid_layer.hpp"
 #include "valley_construction.hpp"
 
 namespace settle::mpm {
@@ -162,14 +162,10 @@ void place_solid(const exchange::Case& study, int layer, const std::vector<Piece
 template <class Space>
 void place_varying_along_y(const exchange::Case& study, int layer, const PresentLayers<3>& below, Design& design,
                            Body<Space>& body) {
-  const exchange::Geometry& geometry = study.geometry;
   const Lattice<3> lattice{body.space.origin(), body.space.size(), body.layout.row_points};
-  if (geometry.valley)
-    place_solid(study, layer, cut_dam(geometry, levels_of_layer(geometry, layer), lattice),
-                lift_in_valley(study, layer, below, lattice.size), design, body);
-  else
-    place_solid(study, layer, cut_mesh(*geometry.mesh, layer, lattice), lift_in_mesh(study, layer, below, lattice.size),
-                design, body);
+  const SolidLift lift = study.geometry.valley ? lift_in_valley(study, layer, below, lattice.size)
+                                               : lift_in_mesh(study, layer, below, lattice.size);
+  place_solid(study, layer, cut_solid_layer(study.geometry, layer, lattice), lift, design, body);
 }
 
 } // namespace

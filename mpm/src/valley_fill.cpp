@@ -73,6 +73,11 @@ Piece<3> part_in_cube(const exchange::Geometry& dam, const Levels& layer, const 
   return part;
 }
 
+/// Of a slope, which starts that far before a place [m]: infinite at a vertical one.
+double climb(double beyond, double slope) {
+  return beyond > 0.0 ? beyond / slope : 0.0;
+}
+
 } // namespace
 
 Levels levels_of_layer(const exchange::Geometry& geometry, int layer) {
@@ -81,6 +86,18 @@ Levels levels_of_layer(const exchange::Geometry& geometry, int layer) {
     for (const auto& corner : polygon.corners)
       if (polygon.layer == layer) levels = {std::min(levels.low, corner[1]), std::max(levels.high, corner[1])};
   return levels;
+}
+
+std::optional<Levels> dam_on_vertical(const exchange::Geometry& geometry, const Levels& levels, double x, double y) {
+  const exchange::Embankment& fill = *geometry.embankment;
+  const exchange::Valley& valley = *geometry.valley;
+  const double below_crest =
+      std::max(climb(-0.5 * fill.crest - x, fill.slopes[0]), climb(x - 0.5 * fill.crest, fill.slopes[1]));
+  const double above_floor =
+      std::max(climb(-0.5 * valley.bottom - y, valley.slopes[0]), climb(y - 0.5 * valley.bottom, valley.slopes[1]));
+  const Levels there{std::max(levels.low, above_floor), std::min(levels.high, fill.height - below_crest)};
+  if (!(there.high > there.low)) return {};
+  return there;
 }
 
 std::vector<Piece<3>> cut_dam(const exchange::Geometry& geometry, const Levels& levels, const Lattice<3>& lattice) {

@@ -71,6 +71,38 @@ TEST(DesignColumns, AreInSpaceThoseOfTheSectionAllAlongIt) {
   }
 }
 
+/// One layer of 1 m, the crest 1 m wide with slopes of 1:1, across a valley with a floor of 1 m and flanks of 1:1.
+exchange::Geometry valley_dam() {
+  exchange::Geometry geometry{.dimension = 3};
+  geometry.embankment = exchange::Embankment{.height = 1.0, .crest = 1.0, .slopes = {1.0, 1.0}};
+  geometry.valley = exchange::Valley{.bottom = 1.0, .slopes = {1.0, 1.0}};
+  geometry.polygons = {{.layer = 1, .corners = {{-1.5, 0.0}, {1.5, 0.0}, {0.5, 1.0}, {-0.5, 1.0}}}};
+  return geometry;
+}
+
+/// Its volume is the integral of (3 - 2 z)(1 + 2 z).
+TEST(DesignColumns, OfADamHoldItsVolumeBetweenSlopesAndFlanks) {
+  const GridBox<3> grid{.counts = {8, 8, 5}, .size = 0.5, .origin = Vector<3>(-2.0, -2.0, 0.0)};
+  const auto columns = design_columns(valley_dam(), {1}, grid, 2);
+  double volume = 0;
+  for (const DesignColumn& column : columns)
+    volume += 0.25 * column.level;
+  EXPECT_NEAR(volume, 3.0 + 2.0 - 4.0 / 3.0, 1e-13);
+  const BoxNumbering<2> plan{{8, 8}}, parts{{2, 2}};
+  for (int c = 0; c < plan.size(); ++c)
+    for (int part = 0; part < 4; ++part) {
+      const auto at = [&](std::size_t axis) {
+        return std::abs(-2.0 + 0.5 * plan.index(c)[axis] + 0.25 * parts.index(part)[axis] + 0.125);
+      };
+      const double top = 1.0 - std::max(0.0, at(0) - 0.5), foot = std::max(0.0, at(1) - 0.5);
+      const auto& strip = columns[static_cast<std::size_t>(c)].strips[static_cast<std::size_t>(part)];
+      ASSERT_EQ(strip.has_value(), top > foot) << c << ", " << part;
+      if (!strip) continue;
+      EXPECT_NEAR(strip->top, top, 1e-14);
+      EXPECT_NEAR(strip->foot, foot, 1e-14);
+    }
+}
+
 TEST(ExtendedColumnHeights, AreThoseOfTheColumnWhereNothingHasGoneSideways) {
   const auto body = block<QuadrilateralSpace>();
   const auto extended = extended_column_heights(body), counted = column_heights(body);

@@ -38,7 +38,7 @@ beyond_a_schema = {
     "polygon_clockwise", "polygon_of_an_unknown_material", "polygon_with_a_dent", "polygons_that_overlap",
     "polygons_without_support", "probe_beside_the_depth", "probe_outside", "probes_beside_the_polygons",
     "probes_in_the_flank", "probes_of_a_section_in_a_valley", "probes_of_a_valley_in_a_section",
-    "reference_called_exact", "refilled_motion", "refilled_solid", "region_of_a_column", "region_of_a_mass",
+    "reference_called_exact", "refilled_motion", "region_of_a_column", "region_of_a_mass",
     "relaxation_for_a_time", "second_meaning_of_x", "stage_of_no_layer", "stages_of_a_column", "strength_left_out",
     "strength_of_an_elastic_law", "strength_of_nothing", "support_of_a_column", "support_of_a_mass",
     "support_of_no_motion", "support_that_is_not_there", "swelling_beyond_compression", "two_levels_of_layers",

@@ -47,8 +47,13 @@ public:
   [[nodiscard]] const SolidBox& box() const { return box_; }
   /// Where a vertical line meets the layer first, from below [m]; nothing where it does not.
   [[nodiscard]] std::optional<double> lower_side(double x, double y) const;
+  /// The same from above.
+  [[nodiscard]] std::optional<double> upper_side(double x, double y) const;
 
 private:
+  /// Where a vertical line meets its sides [m].
+  [[nodiscard]] std::vector<double> heights_at(double x, double y) const;
+
   SolidBox box_;
   const Mesh& mesh_;
   std::vector<std::vector<unsigned>> surface_; ///< its sides

@@ -25,6 +25,8 @@ struct DesignColumn {
   double level = 0;                         ///< the grid's base, and designed volume over the column's area in plan [m]
   std::vector<std::optional<Strip>> strips; ///< along x first; empty where nothing is designed in their middle
 
+  /// Adds what is there in the middle of a strip.
+  void add(std::size_t strip, const Strip& there);
   /// Share of the plan over which something is designed.
   [[nodiscard]] double covered() const;
   /// Of the designed surface, where there is one [m].
@@ -32,7 +34,8 @@ struct DesignColumn {
 };
 
 /// What is drawn of these layers, over every column of squares of a grid, `strips` of them along each horizontal axis.
-/// Areas of polygons are exact.
+/// Areas of polygons are exact. Of a body that varies along y the volume is that of the points placed over a column: as
+/// placed, nothing is missing.
 std::vector<DesignColumn> design_columns(const exchange::Geometry& geometry, const std::set<int>& layers,
                                          const GridBox<2>& grid, int strips);
 std::vector<DesignColumn> design_columns(const exchange::Geometry& geometry, const std::set<int>& layers,
