@@ -79,6 +79,7 @@ private:
   std::vector<LayerPlacement> placements_; ///< of a column's layers
   std::vector<int> present_;               ///< layers that are drawn and there, the one placed last comes last
   Design design_{study_};
+  LayerColumns designed_;            ///< of a body that is drawn and refilled
   std::uint64_t first_refilled_ = 1; ///< of the points that a stage has added to make up for settlement, the first
   SurfaceLoads loads_;
 
@@ -93,7 +94,7 @@ private:
     return nullptr;
   }
 
-  [[nodiscard]] StageLoad load_of(int number) const {
+  [[nodiscard]] StageLoad load_of(int number) {
     const exchange::StageEntry& entry = study_.stages[static_cast<std::size_t>(number - 1)];
     return {.number = number,
             .layer = entry.layer,
@@ -102,7 +103,7 @@ private:
             .may_fail = study_.construction.may_fail,
             .failure_distance = study_.mpm.explicit_dynamic.failure_displacement * fill_height(),
             .starts_carried = entry.k0.has_value(),
-            .refill = refill_of(study_, number, body_),
+            .refill = refill_of(study_, number, body_, designed_),
             .drive = drive_.get()};
   }
 

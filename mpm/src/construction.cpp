@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -76,6 +77,24 @@ Body<Space> unsupported_body(const exchange::Case& study, const Space& space) {
   return body;
 }
 
+/// What is designed of these layers together.
+template <class Space>
+std::vector<DesignColumn> columns_below(const exchange::Geometry& geometry, const std::set<int>& layers,
+                                        const Body<Space>& body, LayerColumns& known) {
+  std::vector<DesignColumn> columns;
+  for (const int layer : layers) {
+    std::vector<DesignColumn>& own = known[layer];
+    if (own.empty()) own = design_columns(geometry, {layer}, body.space.box(), body.layout.row_points);
+    if (columns.empty()) {
+      columns = own;
+      continue;
+    }
+    for (std::size_t c = 0; c < columns.size(); ++c)
+      columns[c].add(own[c], body.space.origin()[Space::dim - 1]);
+  }
+  return columns;
+}
+
 } // namespace
 
 template <class Space>
@@ -91,16 +110,14 @@ Body<Space> empty_body(const exchange::Case& study) {
 }
 
 template <class Space>
-Refill refill_of(const exchange::Case& study, int stage, const Body<Space>& body) {
+Refill refill_of(const exchange::Case& study, int stage, const Body<Space>& body, LayerColumns& known) {
   const exchange::StageEntry& entry = study.stages[static_cast<std::size_t>(stage - 1)];
   const int layer = entry.layer;
   Refill refill{.rule = {}, .layer = layer};
   const bool brings_material = entry.action == exchange::Action::place || entry.action == exchange::Action::ground;
   if (study.construction.convention != exchange::Convention::refill || !brings_material) return refill;
   refill.rule = study.mpm.refill;
-  if (study.geometry.drawn())
-    refill.columns =
-        design_columns(study.geometry, study.layers_present(stage), body.space.box(), body.layout.row_points);
+  if (study.geometry.drawn()) refill.columns = columns_below(study.geometry, study.layers_present(stage), body, known);
   refill.lower_level = (layer - 1) * study.layer_thickness();
   refill.design_level = layer * study.layer_thickness();
   refill.ends_closed = study.mpm.scheme == exchange::Scheme::quasi_static || !study.mpm.explicit_dynamic.hold;
@@ -161,7 +178,7 @@ void require_supported(const exchange::Case& study, const LayerPlacement& placem
 
 #define SETTLE_INSTANTIATE(Space)                                                                                      \
   template Body<Space> empty_body(const exchange::Case&);                                                              \
-  template Refill refill_of(const exchange::Case&, int, const Body<Space>&);                                           \
+  template Refill refill_of(const exchange::Case&, int, const Body<Space>&, LayerColumns&);                            \
   template LayerPlacement placement_of(const exchange::Case&, int, const Body<Space>&);                                \
   template double mean_surface(const Body<Space>&);                                                                    \
   template void require_supported(const exchange::Case&, const LayerPlacement&, const Body<Space>&);

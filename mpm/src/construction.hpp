@@ -2,6 +2,7 @@
 /// Layers: where each is placed by the case's convention.
 #pragma once
 
+#include <map>
 #include <vector>
 
 #include "settle/exchange/case.hpp"
@@ -20,10 +21,13 @@ Body<Space> empty_body(const exchange::Case& study);
 template <class Space>
 LayerPlacement placement_of(const exchange::Case& study, int layer, const Body<Space>& body);
 
+/// What is designed of single layers, by their numbers.
+using LayerColumns = std::map<int, std::vector<DesignColumn>>;
+
 /// How a stage is refilled: where it brings material, up to the level of its layer; a drawn one, up to the surface of
-/// all layers that are there.
+/// all layers that are there. `known`: those of stages before; gets the others.
 template <class Space>
-Refill refill_of(const exchange::Case& study, int stage, const Body<Space>& body);
+Refill refill_of(const exchange::Case& study, int stage, const Body<Space>& body, LayerColumns& known);
 
 /// Mass of the refilled points from this one on, counted on its own so that the balance of a stage can be held against
 /// it [kg/m in 2-D].

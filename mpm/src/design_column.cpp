@@ -80,6 +80,12 @@ void DesignColumn::add(std::size_t strip, const Strip& there) {
   own = own ? Strip{std::max(own->top, there.top), std::min(own->foot, there.foot)} : there;
 }
 
+void DesignColumn::add(const DesignColumn& layer, double base) {
+  level += layer.level - base;
+  for (std::size_t i = 0; i < strips.size(); ++i)
+    if (layer.strips[i]) add(i, *layer.strips[i]);
+}
+
 double DesignColumn::covered() const {
   const auto covered = std::count_if(strips.begin(), strips.end(), [](const auto& strip) { return strip.has_value(); });
   return static_cast<double>(covered) / static_cast<double>(strips.size());

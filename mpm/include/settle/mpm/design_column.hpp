@@ -27,6 +27,8 @@ struct DesignColumn {
 
   /// Adds what is there in the middle of a strip.
   void add(std::size_t strip, const Strip& there);
+  /// Adds what is designed of another layer over the same column; `base`: of the grid [m].
+  void add(const DesignColumn& layer, double base);
   /// Share of the plan over which something is designed.
   [[nodiscard]] double covered() const;
   /// Of the designed surface, where there is one [m].
