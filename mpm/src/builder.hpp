@@ -167,7 +167,7 @@ private:
   }
 
   StageReport load(const StageLoad& stage_load) {
-    if (!is_explicit()) return load_quasi_static(body_, stage_load, study_.mpm.quasi_static);
+    if (!is_explicit()) return load_quasi_static(body_, stage_load, study_.mpm.quasi_static, study_.mpm.threads);
     if constexpr (dim == 2)
       if (stage_load.drive != nullptr && stage_load.drive->runs_in_time())
         return run_motion(body_, stage_load, study_.mpm.explicit_dynamic.courant, study_.mpm.threads);

@@ -373,7 +373,7 @@ struct Mpm {
   RefillRule refill = RefillRule::sub_element;
   bool average_stress = false;
   bool jaumann = false;
-  int threads = 1; ///< of the explicit scheme; results do not depend on it
+  int threads = 1; ///< results do not depend on it
   Scheme scheme = Scheme::quasi_static;
   QuasiStatic quasi_static{};
   ExplicitDynamic explicit_dynamic{}; ///< the table `[mpm.explicit]`

@@ -62,7 +62,8 @@ struct StageReport {
 /// that does not converge is halved and tried again. The stage ends with an increment at full gravity after which
 /// nothing is refilled. Throws exchange::NotConverged with the residuals, PointLost.
 template <class Space>
-StageReport load_quasi_static(Body<Space>& body, const StageLoad& load, const exchange::QuasiStatic& settings);
+StageReport load_quasi_static(Body<Space>& body, const StageLoad& load, const exchange::QuasiStatic& settings,
+                              int threads);
 
 /// Explicit: what grows ramps over `ramp_time`, if anything does, then the body is held until both errors are met (or
 /// for `hold`); the hold starts again whenever a point is added. Under viscous relaxation without a ramp gravity acts
