@@ -1,5 +1,6 @@
 #include "stage_consistency.hpp"
 
+#include <cmath>
 #include <set>
 
 #include <fmt/format.h>
@@ -8,12 +9,22 @@
 #include "embankment.hpp"
 #include "mesh_body.hpp"
 #include "settle/exchange/loaded_surface.hpp"
+#include "settle/exchange/mesh_geometry.hpp"
 
 namespace settle::exchange {
 namespace {
 
 bool names_a_layer(Action action) {
   return action == Action::ground || action == Action::place || action == Action::remove;
+}
+
+bool fills_a_box(const Mesh& mesh, int layer) {
+  constexpr double round_off = 1e-9; // of its volume
+  const SolidBox box = LayerOfMesh(mesh, layer).box();
+  double volume = 1.0;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    volume *= box.highest[axis] - box.lowest[axis];
+  return std::abs(layer_volume(mesh, layer) - volume) <= round_off * volume;
 }
 
 /// The layers as the stages before have left them.
@@ -114,9 +125,11 @@ private:
     if (entry.k0 && entry.action != Action::ground)
       refuse(".k0", " is for existing ground only", fmt::format("action = \"{}\"", name_of(entry.action)),
              "action = \"ground\"");
-    if (entry.k0 && study_.geometry.varies_along_y())
+    const Geometry& geometry = study_.geometry;
+    const bool between_slopes = geometry.valley || (geometry.solid_mesh() && !fills_a_box(*geometry.mesh, entry.layer));
+    if (entry.k0 && between_slopes)
       refuse(".k0", " is for level ground between upright sides",
-             study_.geometry.valley ? "a layer between the flanks of a valley" : "a layer of a mesh in space",
+             geometry.valley ? "a layer between the flanks of a valley" : "a layer of a mesh that fills no upright box",
              "no k0: the ground comes to rest under its weight");
   }
 
