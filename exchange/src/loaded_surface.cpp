@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "settle/exchange/mesh_sides.hpp"
 #include "settle/exchange/valley.hpp"
 #include "solid_vectors.hpp"
 
@@ -40,18 +39,6 @@ bool reaches_into(const SolidBox& part, const SolidBox& whole, double slack) {
   return true;
 }
 
-/// That bound what is there.
-std::map<SideKey, LoadedSide> bounding_sides(const Mesh& mesh, const std::set<int>& present) {
-  std::map<SideKey, LoadedSide> bounding;
-  for (const auto& [key, side] : all_sides(mesh)) {
-    std::vector<int> layers;
-    for (const std::size_t cell : side.cells)
-      if (present.contains(mesh.cells[cell].layer)) layers.push_back(mesh.cells[cell].layer);
-    if (layers.size() == 1) bounding[key] = {side.nodes, layers.front()};
-  }
-  return bounding;
-}
-
 double area_of(const Mesh& mesh, const std::vector<unsigned>& side) {
   const SolidPoint &a = mesh.nodes[side[0]], &b = mesh.nodes[side[1]], &c = mesh.nodes[side[2]],
                    &d = mesh.nodes[side[3]];
@@ -75,16 +62,26 @@ double depth_of(const Geometry& geometry, const StageEntry& load) {
 
 } // namespace
 
-SidesInBox sides_in_box(const Mesh& mesh, const StageEntry& load, const std::set<int>& present) {
-  SolidBox box = empty_box();
-  enlarge(box, point_of(load.from)), enlarge(box, point_of(load.to));
-  std::map<SideKey, LoadedSide> sides = bounding_sides(mesh, present);
+std::map<SideKey, FreeSide> free_sides_of(const Mesh& mesh, const std::set<int>& present) {
+  std::map<SideKey, FreeSide> sides;
+  for (const auto& [key, side] : all_sides(mesh)) {
+    std::vector<int> layers;
+    for (const std::size_t cell : side.cells)
+      if (present.contains(mesh.cells[cell].layer)) layers.push_back(mesh.cells[cell].layer);
+    if (layers.size() == 1) sides[key] = {side.nodes, layers.front()};
+  }
   for (const MeshBoundary& boundary : mesh.boundaries)
     for (const std::vector<unsigned>& held : boundary.sides)
       sides.erase(key_of(held));
+  return sides;
+}
+
+SidesInBox sides_in_box(const Mesh& mesh, const StageEntry& load, const std::set<int>& present) {
+  SolidBox box = empty_box();
+  enlarge(box, point_of(load.from)), enlarge(box, point_of(load.to));
   const double slack = mesh_slack(mesh);
   SidesInBox found;
-  for (const auto& [key, side] : sides) {
+  for (const auto& [key, side] : free_sides_of(mesh, present)) {
     const SolidBox around = box_around(mesh, side.nodes);
     if (lies_within(around, box, slack))
       found.whole.push_back(side);
@@ -100,7 +97,7 @@ double loaded_area(const Case& study, int stage) {
   if (!geometry.solid_mesh())
     return std::hypot(load.to[0] - load.from[0], load.to[1] - load.from[1]) * depth_of(geometry, load);
   double area = 0.0;
-  for (const LoadedSide& side : sides_in_box(*geometry.mesh, load, study.layers_present(stage)).whole)
+  for (const FreeSide& side : sides_in_box(*geometry.mesh, load, study.layers_present(stage)).whole)
     area += area_of(*geometry.mesh, side.nodes);
   return area;
 }

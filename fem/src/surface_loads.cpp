@@ -40,7 +40,7 @@ void SurfaceLoads<dim>::apply_to_sides(int stage, const exchange::StageEntry& en
   for (const Cell& cell : placed)
     layers.insert(layer_of(cell));
   std::set<exchange::SideKey> loaded;
-  for (const exchange::LoadedSide& side : exchange::sides_in_box(*solid_, entry, layers).whole)
+  for (const exchange::FreeSide& side : exchange::sides_in_box(*solid_, entry, layers).whole)
     loaded.insert(exchange::key_of(side.nodes));
   dealii::Tensor<1, dim> traction;
   for (unsigned axis = 0; axis < dim; ++axis)

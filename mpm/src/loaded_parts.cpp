@@ -67,7 +67,7 @@ std::vector<LoadedPart> parts_of_sides(const exchange::Mesh& mesh, const exchang
                                        const std::set<int>& present, double spacing) {
   const Vector<3> traction(load.traction[0], load.traction[1], load.traction[2]);
   std::vector<LoadedPart> parts;
-  for (const exchange::LoadedSide& side : exchange::sides_in_box(mesh, load, present).whole) {
+  for (const exchange::FreeSide& side : exchange::sides_in_box(mesh, load, present).whole) {
     std::array<Vector<3>, 4> corners;
     for (std::size_t c = 0; c < corners.size(); ++c) {
       const auto& [x, y, z] = mesh.nodes[side.nodes[c]];

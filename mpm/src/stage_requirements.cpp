@@ -108,7 +108,7 @@ void require_to_stay(const Case& study, const StageEntry& load, const std::set<i
 
 std::set<int> loaded_layers(const exchange::Mesh& mesh, const StageEntry& load, const std::set<int>& present) {
   std::set<int> layers;
-  for (const exchange::LoadedSide& side : exchange::sides_in_box(mesh, load, present).whole)
+  for (const exchange::FreeSide& side : exchange::sides_in_box(mesh, load, present).whole)
     layers.insert(side.layer);
   return layers;
 }

@@ -18,7 +18,7 @@ settle, sources = sys.argv[1], pathlib.Path(sys.argv[2])
 
 # What only the programs can know: keys that contradict each other, and names that have to be in the same file.
 beyond_a_schema = {
-    "attraction_beyond_preconsolidation", "band_upside_down", "base_of_a_valley", "compared_with_itself",
+    "attraction_beyond_preconsolidation", "band_upside_down", "compared_with_itself",
     "control_of_nothing_known", "convergence_of_an_unknown_solver", "convergence_over_fields", "damped_motion",
     "embankment_all_foundation", "embankment_with_a_support", "embankment_without_measures", "everything_removed",
     "exact_of_a_field", "exact_that_is_no_number", "failure_held_for_a_time", "failure_of_a_column",
