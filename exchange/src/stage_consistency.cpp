@@ -122,12 +122,13 @@ private:
   }
 
   void check_k0(const StageEntry& entry) {
-    if (entry.k0 && entry.action != Action::ground)
+    if (!entry.k0) return;
+    if (entry.action != Action::ground)
       refuse(".k0", " is for existing ground only", fmt::format("action = \"{}\"", name_of(entry.action)),
              "action = \"ground\"");
     const Geometry& geometry = study_.geometry;
     const bool between_slopes = geometry.valley || (geometry.solid_mesh() && !fills_a_box(*geometry.mesh, entry.layer));
-    if (entry.k0 && between_slopes)
+    if (between_slopes)
       refuse(".k0", " is for level ground between upright sides",
              geometry.valley ? "a layer between the flanks of a valley" : "a layer of a mesh that fills no upright box",
              "no k0: the ground comes to rest under its weight");
