@@ -11,8 +11,13 @@ namespace {
 constexpr std::size_t lanes = 8;                  ///< kernels read and write so many numbers at a time
 constexpr int strip_squares = 256;                ///< at least, so that loops over a strip are long
 constexpr int least_strip_rows = 4;               ///< so that the rows that two strips have in common are few
+constexpr int most_strip_rows = 16;               ///< more of them hold little less
+constexpr int strips_wanted = 16;                 ///< so that there is enough to share
 constexpr std::size_t points_per_thread = 10'000; ///< below this a thread costs more than it brings
 
+int quotient_up(int a, int b) {
+  return (a + b - 1) / b;
+}
 std::size_t rounded_up(std::size_t n, std::size_t to) {
   return (n + to - 1) / to * to;
 }
@@ -50,14 +55,20 @@ void KernelStep<Space>::set_grid() {
 /// Into strips, and these into tiles.
 template <class Space>
 void KernelStep<Space>::divide_rows() {
-  const int wanted = (strip_squares + step_.node_columns - 1) / step_.node_columns;
-  step_.strip_rows = std::min(step_.rows, std::max(least_strip_rows, wanted));
+  const int least = std::max(least_strip_rows, quotient_up(strip_squares, step_.node_columns));
+  const int shared = std::min(most_strip_rows, step_.rows / strips_wanted);
+  step_.strip_rows = std::min(step_.rows, std::max(least, shared));
   while (step_.rows % step_.strip_rows != 0 && step_.rows % step_.strip_rows < step_.overlap)
     ++step_.strip_rows; // also the last strip owns all nodes that the one below adds to
-  step_.n_strips = (step_.rows + step_.strip_rows - 1) / step_.strip_rows;
+  step_.n_strips = quotient_up(step_.rows, step_.strip_rows);
   const int strip_lines = step_.strip_rows * step_.node_lines;
   step_.tile_lines = std::clamp(phases_.tile / step_.node_line, 1, strip_lines);
-  step_.strip_tiles = (strip_lines + step_.tile_lines - 1) / step_.tile_lines;
+  const int parts = (step_.node_line + phases_.tile / 2) / phases_.tile;
+  step_.tile_width =
+      parts < 2 ? step_.node_line : static_cast<int>(rounded_up(size_of(quotient_up(step_.node_line, parts)), lanes));
+  step_.line_parts = quotient_up(step_.node_line, step_.tile_width);
+  step_.tile_squares = size_of(step_.tile_lines) * size_of(step_.tile_width);
+  step_.strip_tiles = quotient_up(strip_lines, step_.tile_lines) * step_.line_parts;
 }
 
 template <class Space>
@@ -69,25 +80,21 @@ void KernelStep<Space>::set_material() {
 
 template <class Space>
 void KernelStep<Space>::allocate_nodes() {
-  const Size columns = size_of(step_.node_columns), overlap = size_of(step_.overlap);
-  Size margin = lanes; // as far as edges reach
+  const Size columns = size_of(step_.node_columns);
   for (int d = 0; d < dim; ++d)
-    margin += overlap * size_of(step_.node_step[d]);
-  margin = rounded_up(margin, lanes);
-  const Size n = size_of(step_.rows + step_.overlap) * columns, padded = n + 2 * margin;
+    step_.last_touched += size_of(step_.overlap * step_.node_step[d]);
   step_.n_node_arrays = Array::matrix + 1 + phases_.edges.count;
-  for (int k = 0; k < step_.n_node_arrays; ++k) {
-    if (k > Array::pull && k < Array::matrix) continue; // until points have a force
-    nodes_[size_of(k)].assign(padded, 0.0);
-    step_.node[k] = nodes_[size_of(k)].data() + margin;
-  }
+  for (int k = 0; k < step_.n_node_arrays; ++k)
+    if (k <= Array::pull || k >= Array::matrix) allocate_nodes(k); // others: once points have a force
   zeros_.assign(columns, 0.0);
-  overlap_nodes_.assign(size_of(step_.n_strips * step_.n_node_arrays) * overlap * columns, 0.0);
-  step_.overlap_nodes = overlap_nodes_.data();
+  step_.overlap_stride = rounded_up(step_.last_touched, lanes);
+  overlap_nodes_.assign(size_of(step_.n_strips * step_.n_node_arrays) * step_.overlap_stride + lanes, 0.0);
+  step_.overlap_nodes = aligned(overlap_nodes_);
+  const Size n = body_.fixed.size();
   if (step_.full_cells && phases_.n_means > 0) {
-    step_.mean_stride = padded;
-    mean_.assign(size_of(phases_.n_means) * padded, 0.0);
-    step_.mean = mean_.data() + margin;
+    step_.mean_stride = n + 2 * lanes;
+    mean_.assign(size_of(phases_.n_means) * step_.mean_stride, 0.0);
+    step_.mean = mean_.data() + lanes;
   }
   held_.assign(n, 0);
   for (Size i = 0; i < n; ++i)
@@ -98,21 +105,28 @@ void KernelStep<Space>::allocate_nodes() {
   step_.column_volume = column_volume_.data();
 }
 
+/// One array, of zeros, with margins as far as edges reach. Large arrays start pages: each one begins some lines
+/// further in, so that the numbers of a node are not all in one set of a cache.
+template <class Space>
+void KernelStep<Space>::allocate_nodes(int array) {
+  constexpr Size lines_of_a_page = 64, lines_apart = 9;
+  const Size shift = lanes * (lines_apart * size_of(array) % lines_of_a_page);
+  const Size margin = rounded_up(step_.last_touched + lanes, lanes);
+  const Size n = size_of((step_.rows + step_.overlap) * step_.node_columns);
+  auto& numbers = nodes_[size_of(array)];
+  numbers.assign(n + 2 * margin + lanes + shift, 0.0);
+  step_.node[array] = aligned(numbers) + shift + margin;
+}
+
 template <class Space>
 void KernelStep<Space>::allocate_scratch() {
   constexpr Size apart = 64; // and a line: no two quantities in one set of a cache
-  const Size tile = size_of(step_.tile_lines * step_.node_line);
-  step_.stride = rounded_up(tile + 2 * kernel::cell_margin, apart) + lanes;
-  Size last = lanes + kernel::cell_margin; // of the nodes that the last square touches
-  for (int d = 0; d < dim; ++d)
-    last += size_of(step_.overlap * step_.node_step[d]);
-  step_.n_nodes = rounded_up(size_of(step_.strip_rows * step_.node_columns) + last, apart) + lanes;
+  step_.stride = rounded_up(step_.tile_squares + 2 * kernel::cell_margin, apart) + lanes;
   const Size block = rounded_up(size_of(phases_.block), lanes), cells = size_of(phases_.quantities) * step_.stride;
-  const Size nodes = size_of(step_.n_node_arrays) * step_.n_nodes;
   for (Size thread = scratch_.size(); thread < size_of(shares_.threads()); ++thread) {
-    scratch_.emplace_back(block + cells + nodes + lanes, 0.0);
+    scratch_.emplace_back(block + cells + lanes, 0.0);
     double* first = aligned(scratch_.back());
-    scratch_of_.push_back({.block = first, .cells = first + block, .nodes = first + block + cells});
+    scratch_of_.push_back({.block = first, .cells = first + block});
   }
 }
 

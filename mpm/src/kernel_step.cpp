@@ -63,10 +63,7 @@ void KernelStep<Space>::find_force(const Gravity& gravity) requires(dim == 2) {
   }
   for (int d = 0; d < dim; ++d)
     step_.points.force[d] = force_[size_of(d)].data();
-  const auto external = size_of(Array::external(0));
-  if (!nodes_[external].empty()) return;
-  nodes_[external].assign(nodes_[Array::mass].size(), 0.0);
-  step_.node[external] = nodes_[external].data() + (step_.node[Array::mass] - nodes_[Array::mass].data());
+  if (step_.node[Array::external(0)] == nullptr) allocate_nodes(Array::external(0));
 }
 
 /// Nodes carry something where their strip or the one below holds points; others are cleared once.
@@ -187,9 +184,9 @@ auto KernelStep<Space>::node_row(int row) const -> NodeRow {
     if (step_.node[k] == nullptr) continue;
     if (nodes_complete_ || touched(strip)) numbers.own[size_of(k)] = step_.node[k] + size_of(row) * columns;
     if (completes)
-      numbers.from_below[size_of(k)] =
-          overlap_nodes_.data() +
-          (size_of((strip - 1) * step_.n_node_arrays + k) * size_of(step_.overlap) + size_of(row_of_strip)) * columns;
+      numbers.from_below[size_of(k)] = step_.overlap_nodes +
+                                       size_of((strip - 1) * step_.n_node_arrays + k) * step_.overlap_stride +
+                                       size_of(row_of_strip) * columns;
   }
   return numbers;
 }

@@ -111,6 +111,7 @@ private:
   void divide_rows();
   void set_material();
   void allocate_nodes();
+  void allocate_nodes(int array);
   void allocate_scratch();
   void take_stock();
   void point_to_points();

@@ -95,7 +95,8 @@ template <class Space>
 auto KernelStep<Space>::tile_of(int cell) const -> Size {
   const int square = cell / Space::cells_per_square, row = square / step_.columns;
   const int line = row % step_.strip_rows * step_.node_lines + square % step_.columns / step_.line;
-  return size_of(row / step_.strip_rows * step_.strip_tiles + line / step_.tile_lines);
+  const int part = square % step_.line / step_.tile_width;
+  return size_of(row / step_.strip_rows * step_.strip_tiles + line / step_.tile_lines * step_.line_parts + part);
 }
 
 template <class Space>

@@ -193,6 +193,7 @@ std::vector<Block> every_shape() {
   return {{.columns = 1, .rows = 2, .filled_rows = 1},
           {.columns = 1, .rows = 12, .filled_rows = 11},
           {.columns = 300, .rows = 7, .filled_rows = 6},
+          {.columns = 1100, .rows = 3, .filled_rows = 2}, // lines longer than a tile
           {.columns = 70, .rows = 9, .filled_rows = 8},
           {.columns = 62, .rows = 61, .filled_rows = 60}};
 }

@@ -219,16 +219,15 @@ struct BoxScatter : Boxes {
 
   static void run(const Step& step, int strip, const Scratch& scratch) {
     const CellArrays cells(step, scratch.cells);
-    sum_up<dim, 1>(step, strip, scratch, [&](const Tile& tile, Lanes& slowness) {
+    sum_up<dim, 1>(step, strip, [&](const Tile& tile, const TileNodes& nodes, Lanes& slowness) {
       CellSums<BoxScatter, dim, weight>::add_tile(step, tile, scratch.block, cells);
       cells.clear_behind(step, tile, Boxes::constants);
       if (step.hyperelastic) find_largest_stress<dim, 1>(step, tile, cells, Boxes::largest_stress);
       for (std::size_t s = 0; s < tile.n_squares; s += n_lanes)
         finish(step, tile, s, cells, slowness);
       add_to_columns(step, strip, tile, cells.quantity(Boxes::total_volume));
-      add_to_nodes(step, cells, TileNodes(step, tile, scratch.nodes));
+      add_to_nodes(step, cells, nodes);
     });
-    hand_over(step, strip, scratch.nodes);
   }
 };
 

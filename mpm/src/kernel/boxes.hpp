@@ -70,13 +70,13 @@ struct Boxes {
   SETTLE_INLINE static Functions functions_at(const Step& step, const Tile& tile, std::size_t s) {
     Functions at;
     if constexpr (degree == 2) {
-      int x = static_cast<int>(s) % step.node_line, line = tile.first_line + static_cast<int>(s) / step.node_line;
+      int x = static_cast<int>(s) % tile.width, line = tile.first_line + static_cast<int>(s) / tile.width;
       for (int i = 0; i < n_lanes; ++i, ++x) {
-        if (x == step.node_line) x = 0, ++line;
+        if (x == tile.width) x = 0, ++line;
         const auto set = [&](Along& axis, int index, int count) {
           axis.lower[i] = index == 0 ? 1.0 : 0.5, axis.upper[i] = index == count - 1 ? 1.0 : 0.5;
         };
-        set(at.along[0], x, step.line);
+        set(at.along[0], tile.first_column + x, step.line);
         if constexpr (dim == 3) set(at.along[1], line % step.node_lines, step.lines);
         set(at.along[dim - 1], tile.first_row + line / step.node_lines, step.rows);
       }

@@ -104,17 +104,17 @@ struct CellSums {
     }
   }
 
-  /// Squares of one line, `number` that of the first in the grid: eight at a time where they are as most are.
+  /// The squares of a line, `number` that of the first in the grid: eight at a time where they are as most are.
   SETTLE_INLINE static void add_line(const Step& step, Filled& filled, double* block, const CellArrays& cells,
-                                     std::size_t square, std::size_t number, std::size_t end_of_tile) {
+                                     std::size_t square, std::size_t number, int columns, std::size_t end_of_tile) {
     const std::uint32_t* begin = step.begin + static_cast<std::size_t>(per_square) * number;
-    for (int column = 0; column < step.line;) {
-      const int some = least(n_lanes, step.line - column), some_cells = per_square * some;
+    for (int column = 0; column < columns;) {
+      const int some = least(n_lanes, columns - column), some_cells = per_square * some;
       if (some == n_lanes && are_even(begin, some_cells, each)) {
         add_eight(step, cells, square, std::size_t{begin[0]});
         begin += some_cells;
       } else {
-        const std::size_t end = step.line < n_lanes ? end_of_tile : std::size_t{begin[some_cells]};
+        const std::size_t end = columns < n_lanes ? end_of_tile : std::size_t{begin[some_cells]};
         for (int i = 0; i < some_cells; ++i, ++begin)
           add_cell(step, step.points, filled, block, cells, i % per_square,
                    square + static_cast<std::size_t>(i / per_square), std::size_t{begin[0]}, std::size_t{begin[1]}, end,
@@ -130,9 +130,11 @@ struct CellSums {
     Filled filled;
     for_each_line(
         step, tile,
-        [&](std::size_t square, std::size_t number) { add_line(step, filled, block, cells, square, number, end); },
+        [&](std::size_t square, std::size_t number) {
+          add_line(step, filled, block, cells, square, number, tile.columns, end);
+        },
         [&](std::size_t first) {
-          cells.clear(per_square * count, first, first + static_cast<std::size_t>(step.node_line));
+          cells.clear(per_square * count, first, first + static_cast<std::size_t>(tile.width));
         });
     filled = {};
     const Strays& strays = step.strays[tile.index];

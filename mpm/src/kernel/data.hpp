@@ -69,16 +69,15 @@ struct StripWeight {
 struct Scratch {
   double* block; ///< quantities of a block of points
   double* cells; ///< quantities of the squares of a tile
-  double* nodes; ///< arrays of the nodes of a strip
 };
 
 /// Before the first square of a tile, and after the last, so many zeros can be read.
 inline constexpr std::size_t cell_margin = 16;
 
 /// A step. Squares (in 3-D cubes) lie in lines along x, lines in rows: a row is all that lies at one height. Rows are
-/// taken in strips, the lines of a strip in tiles. Squares are numbered like the node at their lowest corner, so that
-/// each line ends with squares, and in 3-D each row with lines of squares, that do not exist and hold nothing: whatever
-/// goes from cells to nodes or back is then a loop over one index.
+/// taken in strips, the lines of a strip, or parts of long ones, in tiles. Squares are numbered like the node at their
+/// lowest corner, so that each line ends with squares, and in 3-D each row with lines of squares, that do not exist and
+/// hold nothing: whatever goes from cells to nodes or back is then a loop over one index.
 struct Step {
   int line, lines, rows;     ///< squares of a line, lines of a row (1 in the plane), rows
   int columns;               ///< squares of a row
@@ -89,9 +88,12 @@ struct Step {
   int strip_rows;            ///< rows of squares in a strip
   int n_strips;              ///< of squares; nodes have one more, which owns the uppermost rows
   int tile_lines;            ///< in a tile, those that do not exist included
+  int line_parts;            ///< tiles that a line is cut into where it is too long for one; else 1
+  int tile_width;            ///< squares of a line, or of a part of it, those that do not exist included
+  std::size_t tile_squares;  ///< of the largest tile
   int strip_tiles;           ///< tiles in a strip
   std::size_t stride;        ///< from one quantity to the next in Scratch::cells
-  std::size_t n_nodes;       ///< from one array to the next in Scratch::nodes
+  std::size_t last_touched;  ///< from a square's own node to the last one that it touches
   double origin[3];          ///< [m]
   double inverse_size;       ///< [1/m]
   double cell_volume;        ///< [m3/m]
@@ -112,6 +114,7 @@ struct Step {
 
   double* node[max_node_arrays]; ///< null: none
   double* overlap_nodes;         ///< by strip, array, node: what it adds to the nodes of the next one
+  std::size_t overlap_stride;    ///< from one array to the next there
   int n_node_arrays;
   int edge[max_edges];         ///< from a node to the one it couples with
   const std::uint8_t* held;    ///< by node: 1: x, 2: y, 4: z

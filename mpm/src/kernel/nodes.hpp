@@ -16,8 +16,7 @@ SETTLE_INLINE void complete(const Step& step, int strip, const NodeRange& own) {
       for (std::size_t n = 0; n < own.last - own.first; ++n)
         node[n] = 0.0;
     if (strip == 0 || step.touched[strip - 1] == 0) continue;
-    const double* overlap =
-        step.overlap_nodes + static_cast<std::size_t>((strip - 1) * step.n_node_arrays + k) * n_overlap;
+    const double* overlap = overlap_of(step, strip - 1) + static_cast<std::size_t>(k) * step.overlap_stride;
     for (std::size_t n = 0; n < n_overlap; ++n)
       node[n] += overlap[n];
   }

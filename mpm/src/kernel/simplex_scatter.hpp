@@ -126,16 +126,15 @@ struct SimplexScatter : Simplices<Cut> {
 
   static void run(const Step& step, int strip, const Scratch& scratch) {
     const CellArrays cells(step, scratch.cells);
-    sum_up<dim, per_square>(step, strip, scratch, [&](const Tile& tile, Lanes& slowness) {
+    sum_up<dim, per_square>(step, strip, [&](const Tile& tile, const TileNodes& nodes, Lanes& slowness) {
       CellSums<SimplexScatter, dim, weight>::add_tile(step, tile, scratch.block, cells);
       cells.clear_behind(step, tile, Cells::constants);
       if (step.hyperelastic) find_largest_stress<dim, per_square>(step, tile, cells, Cells::largest_stress);
       for (std::size_t s = 0; s < tile.n_squares; s += n_lanes)
         finish(step, s, cells, slowness);
       add_to_columns(step, strip, tile, cells.quantity(Cells::total_volume));
-      add_to_nodes(step, cells, TileNodes(step, tile, scratch.nodes));
+      add_to_nodes(step, cells, nodes);
     });
-    hand_over(step, strip, scratch.nodes);
   }
 };
 
