@@ -35,7 +35,9 @@ struct StageLoad {
   [[nodiscard]] Gravity at(double share) const {
     if (drive != nullptr) return drive->gravity_at(layer, share);
     Gravity now{.acceleration = gravity, .ramped_layer = layer, .factor = brings_weight() ? share : 1.0};
-    if (loads != nullptr) now.besides = loads->at(action == exchange::Action::load ? share : 1.0);
+    if (loads == nullptr) return now;
+    const double of_newest = action == exchange::Action::load ? share : 1.0;
+    now.besides = loads->at<2>(of_newest), now.besides_in_space = loads->at<3>(of_newest);
     return now;
   }
   /// The same, when this share of the layer's weight is left.
