@@ -133,13 +133,13 @@ private:
   bool advance(double target, int stage, Ramp& ramp) {
     std::vector<double> targets{target};
     while (!targets.empty()) {
-      Equilibrium equilibrium = problem_.solve(targets.back());
-      ramp.linear_solves += equilibrium.linear_solves;
+      const bool shortest = targets.size() > increment_halvings_allowed;
+      Equilibrium equilibrium = find(targets.back(), shortest, ramp);
       if (equilibrium.reached()) {
         problem_.accept();
         ramp.add(std::move(equilibrium), targets.back());
         targets.pop_back();
-      } else if (problem_.formulation().linear() || targets.size() > increment_halvings_allowed) {
+      } else if (problem_.formulation().linear() || shortest) {
         if (study_.construction.may_fail) return false;
         throw not_converged(study_,
                             {course(stage, ramp.reached, targets.back()), targets.size() > 1, std::move(equilibrium)});
@@ -148,6 +148,17 @@ private:
       }
     }
     return true;
+  }
+
+  /// By Newton's method; where the shortest increment of a body that yields fails, by relaxation. Where that fails too,
+  /// what Newton's method left.
+  Equilibrium find(double target, bool shortest, Ramp& ramp) {
+    Equilibrium equilibrium = problem_.solve(target);
+    ramp.linear_solves += equilibrium.linear_solves;
+    if (equilibrium.reached() || !shortest || !problem_.yields()) return equilibrium;
+    Equilibrium relaxed = problem_.relax(target);
+    ramp.linear_solves += relaxed.linear_solves;
+    return relaxed.reached() ? relaxed : equilibrium;
   }
 
   /// An increment, for messages.
