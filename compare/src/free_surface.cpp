@@ -92,7 +92,6 @@ std::vector<BoundaryPart> free_surface(const exchange::Case& study, int stage) {
 
 std::vector<BoundaryPart> base(const exchange::Case& study) {
   std::vector<BoundaryPart> parts;
-  if (study.geometry.solid_mesh()) return parts;
   for (const exchange::Support& support : study.supports) {
     const BoundaryPart part{point_of(support.from), point_of(support.to)};
     if (part.to[0] - part.from[0] > tiny * length(part)) parts.push_back(part); // the body lies to the left

@@ -18,8 +18,8 @@ struct BoundaryPart {
 /// holds them. A load that acts on a part makes it no less free.
 std::vector<BoundaryPart> free_surface(const exchange::Case& study, int stage);
 
-/// The supports above which the body lies: those that carry weight, not those that it only leans on. A mesh in
-/// space stands on sides, of which its section knows nothing: none.
+/// The supports above which the body lies: those that carry weight, not those that it only leans on. A body that
+/// varies along y has sides (boundary_sides.hpp).
 std::vector<BoundaryPart> base(const exchange::Case& study);
 
 /// Distance of a point from the nearest part [m]; infinite where there is none.

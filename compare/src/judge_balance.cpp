@@ -7,6 +7,7 @@
 
 #include "settle/compare/exact_solution.hpp"
 #include "settle/compare/judge.hpp"
+#include "settle/exchange/loaded_surface.hpp"
 
 namespace settle::compare {
 
@@ -183,8 +184,7 @@ double surface_load(const exchange::Case& study, int stage) {
   double load = 0;
   for (int number = 1; number <= std::min(stage, study.n_stages()); ++number) {
     const exchange::StageEntry& entry = stages[static_cast<std::size_t>(number - 1)];
-    if (entry.action == exchange::Action::load)
-      load -= entry.traction[1] * std::hypot(entry.to[0] - entry.from[0], entry.to[1] - entry.from[1]);
+    if (entry.action == exchange::Action::load) load -= entry.traction.back() * exchange::loaded_area(study, number);
   }
   return load;
 }

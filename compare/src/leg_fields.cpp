@@ -48,7 +48,7 @@ LegSamples sampled(const FieldSamples& samples, const InterpolatedField& field, 
                    std::vector<double> LegSamples::*own, std::vector<double> LegSamples::*other) {
   LegSamples leg;
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    if (!region.holds(samples.layer[i], {samples.x[i], samples.height[i]})) continue;
+    if (!region.holds(samples, i)) continue;
     const auto partner = field.at(samples.layer[i], {samples.x[i], samples.height[i], samples.y[i]});
     if (!partner) {
       ++leg.without_partner;

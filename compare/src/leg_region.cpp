@@ -12,15 +12,15 @@ namespace {
 
 constexpr double elements = 2.0; // in the band
 
-std::vector<BoundaryPart> parts_of(const exchange::Case& study, Region region, int stage) {
+std::optional<BoundaryBand> band_of(const exchange::Case& study, Region region, int stage, double width) {
   switch (region) {
   case Region::whole:
     return {};
   case Region::interior:
   case Region::surface:
-    return free_surface(study, stage);
+    return BoundaryBand::along_free_surface(study, stage, width);
   case Region::base:
-    return base(study);
+    return BoundaryBand::along_base(study, width);
   }
   return {};
 }
@@ -28,21 +28,15 @@ std::vector<BoundaryPart> parts_of(const exchange::Case& study, Region region, i
 } // namespace
 
 LegRegion::LegRegion(const RunOutcome& run, const LegRequest& request)
-    : region_(request.region), layers_(request.layers), parts_(parts_of(run.study, request.region, request.stage)),
-      band_(band_width(run, request)) {}
+    : region_(request.region), layers_(request.layers),
+      band_(band_of(run.study, request.region, request.stage, band_width(run, request))) {}
 
-bool LegRegion::holds(int layer, const exchange::PlanePoint& point) const {
+bool LegRegion::holds(const FieldSamples& samples, std::size_t i) const {
+  const int layer = samples.layer[i];
   if (!layers_.empty() && (layer < layers_.front() || layers_.back() < layer)) return false;
-  switch (region_) {
-  case Region::whole:
-    return true;
-  case Region::interior:
-    return distance(parts_, point) > band_;
-  case Region::surface:
-  case Region::base:
-    return distance(parts_, point) <= band_;
-  }
-  return false;
+  if (!band_) return true;
+  const bool near = band_->holds({samples.x[i], samples.y[i], samples.height[i]});
+  return region_ == Region::interior ? !near : near;
 }
 
 /// Of one that joins nothing is known but that it was given the case.

@@ -2,10 +2,12 @@
 /// The material points that a leg is about.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "free_surface.hpp"
+#include "boundary_band.hpp"
+#include "settle/compare/field_samples.hpp"
 #include "settle/compare/legs.hpp"
 
 namespace settle::compare {
@@ -15,14 +17,13 @@ class LegRegion {
 public:
   LegRegion(const RunOutcome& run, const LegRequest& request);
 
-  /// Does a point belong to it? As placed, or in the design geometry.
-  [[nodiscard]] bool holds(int layer, const exchange::PlanePoint& point) const;
+  /// Does a sample belong to it? By its place as placed, or in the design geometry.
+  [[nodiscard]] bool holds(const FieldSamples& samples, std::size_t i) const;
 
 private:
   exchange::Region region_;
-  std::vector<int> layers_;         ///< first and last; empty: all
-  std::vector<BoundaryPart> parts_; ///< from which the region is told; none of the whole body
-  double band_;                     ///< so far from them [m]
+  std::vector<int> layers_;          ///< first and last; empty: all
+  std::optional<BoundaryBand> band_; ///< by which the region is told; none of the whole body
 };
 
 /// The width of the band along a boundary in which a leg's elements cannot be expected to be at their best: two

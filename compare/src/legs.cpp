@@ -52,7 +52,7 @@ LegSamples against_exact(const RunOutcome& run, const LegRequest& request, Over 
     if (!present.contains(layer)) {
       return nothing(fmt::format("{} has a point in layer {} at stage {}", request.value, layer, request.stage));
     }
-    if (!region.holds(layer, {samples.x[i], samples.height[i]})) continue;
+    if (!region.holds(samples, i)) continue;
     const MaterialPoint point{
         .layer = layer, .x = samples.x[i], .height = samples.height[i], .as_placed = over != Over::probes};
     append(samples, i, leg.value);
@@ -68,7 +68,7 @@ LegSamples against_itself(const RunOutcome& run, const LegRequest& request, Over
   const LegRegion region(run, request);
   LegSamples leg;
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    if (!region.holds(samples.layer[i], {samples.x[i], samples.height[i]})) continue;
+    if (!region.holds(samples, i)) continue;
     append(samples, i, leg.value);
     leg.weight.push_back(samples.weight[i]);
   }
@@ -86,9 +86,7 @@ LegSamples matched_by_height(const RunOutcome& run, const LegRequest& request) {
   const FieldSamples values = rows(request.value);
   const FieldSamples references = rows(request.reference);
   const LegRegion region(run, request);
-  const auto wanted = [&](const FieldSamples& row, std::size_t k) {
-    return region.holds(row.layer[k], {row.x[k], row.height[k]});
-  };
+  const auto wanted = [&](const FieldSamples& row, std::size_t k) { return region.holds(row, k); };
   LegSamples leg;
   std::size_t i = 0;
   std::size_t j = 0;
@@ -134,7 +132,7 @@ LegSamples matched_probes(const RunOutcome& run, const LegRequest& request) {
       return nothing(fmt::format("probe {} is not the same material point for {} and {}", i + 1, request.value,
                                  request.reference));
     }
-    if (!region.holds(values.layer[i], {values.x[i], values.height[i]})) continue;
+    if (!region.holds(values, i)) continue;
     append(values, i, leg.value);
     append(references, i, leg.reference);
     leg.weight.push_back(1.0);

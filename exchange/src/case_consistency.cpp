@@ -155,19 +155,6 @@ void check_place(const Check& check, const std::string& key, const Case& study, 
          .given = given,
          .allowed = {},
          .remedy = "leave it out"});
-  } else if (study.geometry.solid_mesh() && check.region != Region::whole) {
-    reading.complain({.where = study.where(key + ".region"),
-                      .what = key + ".region is told by lines of a section, which a mesh in space has not",
-                      .given = given,
-                      .allowed = "whole",
-                      .remedy = "leave it out"});
-  } else if (study.geometry.valley && check.region == Region::base) {
-    reading.complain(
-        {.where = study.where(key + ".region"),
-         .what = key + ".region is a band along lines of a section: a valley holds its body by flanks, too",
-         .given = "base",
-         .allowed = "whole, interior, surface",
-         .remedy = "leave it out"});
   } else if (over_fields && names_a_reference(check, study)) {
     reading.complain({.where = study.where(of),
                       .what = of + " compares two solvers at each other's points",

@@ -130,7 +130,7 @@ KeyTable<Mpm> mpm_keys() {
   keys.boolean("average_stress", &Mpm::average_stress,
                {.doc = "replace point stresses by the cell's average after each move"});
   keys.integer("threads", &Mpm::threads,
-               {.range = at_least(1), .doc = "of the explicit scheme; results are the same, bit for bit"});
+               {.range = at_least(1), .doc = "threads of one run; results are the same, bit for bit, for any number"});
   keys.choice("scheme", &Mpm::scheme, {.doc = "implicit increments of gravity, or damped time steps"});
   keys.table("quasi_static", &Mpm::quasi_static, quasi_static_keys());
   keys.table("explicit", &Mpm::explicit_dynamic, explicit_keys());

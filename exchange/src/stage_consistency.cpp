@@ -1,17 +1,30 @@
 #include "stage_consistency.hpp"
 
+#include <cmath>
 #include <set>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "embankment.hpp"
 #include "mesh_body.hpp"
+#include "settle/exchange/loaded_surface.hpp"
+#include "settle/exchange/mesh_geometry.hpp"
 
 namespace settle::exchange {
 namespace {
 
 bool names_a_layer(Action action) {
   return action == Action::ground || action == Action::place || action == Action::remove;
+}
+
+bool fills_a_box(const Mesh& mesh, int layer) {
+  constexpr double round_off = 1e-9; // of its volume
+  const SolidBox box = LayerOfMesh(mesh, layer).box();
+  double volume = 1.0;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    volume *= box.highest[axis] - box.lowest[axis];
+  return std::abs(layer_volume(mesh, layer) - volume) <= round_off * volume;
 }
 
 /// The layers as the stages before have left them.
@@ -75,24 +88,49 @@ private:
     const bool whole = !entry.from.empty() && !entry.to.empty() && !entry.traction.empty();
     const bool some = !entry.from.empty() || !entry.to.empty() || !entry.traction.empty();
     if (entry.action == Action::load && !whole)
-      return refuse("", " does not say what is loaded", "action = \"load\"", "from, to and traction, each [x, y]");
+      return refuse("", " does not say what is loaded", "action = \"load\"",
+                    fmt::format("from, to and traction, each {}", coordinates()));
     if (entry.action != Action::load && some)
       return refuse("", " gives a load that it does not apply", fmt::format("action = \"{}\"", name_of(entry.action)),
                     "from, to and traction with action = \"load\" only");
-    if (whole && study_.geometry.solid_mesh())
-      refuse("", " loads a line of a section", "a mesh in space", "other actions than \"load\"");
-    if (whole && entry.from == entry.to)
-      refuse(".to", " loads a line without length", fmt::format("({}, {}) twice", entry.to[0], entry.to[1]),
-             "two different ends");
+    if (!whole) return;
+    const std::size_t expected = study_.geometry.solid_mesh() ? 3 : 2;
+    for (const auto& [key, vector] :
+         {std::pair(".from", &entry.from), {".to", &entry.to}, {".traction", &entry.traction}})
+      if (vector->size() != expected)
+        return refuse(key, " has another number of coordinates than what is loaded",
+                      fmt::format("[{}]", fmt::join(*vector, ", ")), coordinates());
+    if (entry.from == entry.to)
+      return refuse(".to", " loads a line without length", fmt::format("({}) twice", fmt::join(entry.to, ", ")),
+                    "two different ends");
+    if (study_.geometry.solid_mesh()) check_loaded_sides(entry);
+  }
+
+  [[nodiscard]] const char* coordinates() const {
+    return study_.geometry.solid_mesh() ? "[x, y, z]" : "[x, y], of the section";
+  }
+
+  void check_loaded_sides(const StageEntry& entry) {
+    const SidesInBox sides = sides_in_box(*study_.geometry.mesh, entry, present_);
+    const std::string box = fmt::format("from ({}) to ({})", fmt::join(entry.from, ", "), fmt::join(entry.to, ", "));
+    if (sides.whole.empty())
+      refuse(".from", " loads no side of the mesh: none lies between the ends, free, and on the body as it is then",
+             box, "opposite corners of an upright box, which may be flat");
+    if (!sides.cut.empty())
+      refuse(".from", fmt::format(" cuts sides of the mesh: {} of them lie in the box in part", sides.cut.size()), box,
+             "ends between which sides of cells lie as a whole");
   }
 
   void check_k0(const StageEntry& entry) {
-    if (entry.k0 && entry.action != Action::ground)
+    if (!entry.k0) return;
+    if (entry.action != Action::ground)
       refuse(".k0", " is for existing ground only", fmt::format("action = \"{}\"", name_of(entry.action)),
              "action = \"ground\"");
-    if (entry.k0 && study_.geometry.varies_along_y())
+    const Geometry& geometry = study_.geometry;
+    const bool between_slopes = geometry.valley || (geometry.solid_mesh() && !fills_a_box(*geometry.mesh, entry.layer));
+    if (between_slopes)
       refuse(".k0", " is for level ground between upright sides",
-             study_.geometry.valley ? "a layer between the flanks of a valley" : "a layer of a mesh in space",
+             geometry.valley ? "a layer between the flanks of a valley" : "a layer of a mesh that fills no upright box",
              "no k0: the ground comes to rest under its weight");
   }
 

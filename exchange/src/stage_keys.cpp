@@ -3,13 +3,13 @@
 namespace settle::exchange {
 namespace {
 
-constexpr std::size_t plane = 2;
+constexpr std::size_t plane = 2, space = 3;
 
 } // namespace
 
 KeyTable<StageEntry> stage_keys() {
   KeyTable<StageEntry> keys("A step of the construction; without any, one for each layer, in their order.");
-  const Count vector{.least = plane, .most = plane};
+  const Count vector{.least = plane, .most = space};
   keys.choice("action", &StageEntry::action,
               {.doc = "existing ground comes to rest and its displacements are set to zero; a layer is placed, or "
                       "removed; nothing changes; or the surface is loaded"});
@@ -23,14 +23,18 @@ KeyTable<StageEntry> stage_keys() {
               .count = vector,
               .left_out = "required for load",
               .doc = "`[x, y]` of one end of a straight part of the surface; the body lies to the left of the way to "
-                     "the other"});
+                     "the other. Of a mesh in space `[x, y, z]`, a corner of an upright box, which may be flat: the "
+                     "sides of cells in it that are free"});
   keys.reals("to", &StageEntry::to,
-             {.unit = "m", .count = vector, .left_out = "required for load", .doc = "`[x, y]` of the other end"});
+             {.unit = "m",
+              .count = vector,
+              .left_out = "required for load",
+              .doc = "`[x, y]` of the other end; `[x, y, z]` of the opposite corner"});
   keys.reals("traction", &StageEntry::traction,
              {.unit = "Pa",
               .count = vector,
               .left_out = "required for load",
-              .doc = "`[x, y]`, force per area, raised over the stage and kept"});
+              .doc = "`[x, y]`, of a mesh in space `[x, y, z]`: force per area, raised over the stage and kept"});
   return keys;
 }
 

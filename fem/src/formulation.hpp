@@ -64,6 +64,10 @@ public:
                                                               const std::vector<Stress>& stress) const = 0;
   /// (dofs, dofs) its derivative by the increment [N/m]. The trial must have a stress.
   [[nodiscard]] virtual dealii::FullMatrix<double> tangent(const Trial<dim>& trial) const = 0;
+  /// (dofs, dofs) what the tangent is as long as nothing yields, in the accepted state [N/m].
+  [[nodiscard]] virtual dealii::FullMatrix<double> elastic_stiffness(const Trial<dim>& trial) const {
+    return tangent(trial);
+  }
   /// Whether the tangent is the same in every state, so that once a stage is enough.
   [[nodiscard]] virtual bool linear() const = 0;
   /// Whether the tangent is symmetric in every state.

@@ -128,6 +128,7 @@ void require_solvable(const exchange::Case& study) {
     static_cast<void>(number_of_cells(study));
     return;
   }
+  require_laws_of_ground(study);
   if (study.geometry.solid_mesh()) {
     if (study.fem.kinematics == exchange::Kinematics::finite) require_layers_above(study);
     return;

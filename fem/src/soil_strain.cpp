@@ -59,6 +59,15 @@ dealii::FullMatrix<double> SoilStrain<dim>::tangent(const Trial<dim>& trial) con
 }
 
 template <int dim>
+dealii::FullMatrix<double> SoilStrain<dim>::elastic_stiffness(const Trial<dim>& trial) const {
+  const SoilLaw& law = of_layer(laws_, trial.layer);
+  std::vector<dealii::SymmetricTensor<4, dim>> moduli;
+  for (std::size_t q = 0; q < trial.history.stress.size(); ++q)
+    moduli.push_back(in_plane<dim>(fem::elastic_stiffness(law, {trial.history.stress[q], trial.history.variables[q]})));
+  return ShapeStrains<dim>(trial.values, integration_).stiffness_matrix(moduli);
+}
+
+template <int dim>
 bool SoilStrain<dim>::linear() const {
   return std::all_of(laws_.begin(), laws_.end(),
                      [](const SoilLaw& law) { return std::holds_alternative<Elasticity>(law); });

@@ -24,6 +24,7 @@ public:
   [[nodiscard]] dealii::Vector<double> internal_force(const Trial<dim>& trial,
                                                       const std::vector<Stress>& stress) const override;
   [[nodiscard]] dealii::FullMatrix<double> tangent(const Trial<dim>& trial) const override;
+  [[nodiscard]] dealii::FullMatrix<double> elastic_stiffness(const Trial<dim>& trial) const override;
   [[nodiscard]] bool linear() const override;
   [[nodiscard]] bool symmetric() const override { return linear(); }
   /// Density by 1 + tr eps; the volume is that of the frozen geometry.

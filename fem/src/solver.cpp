@@ -8,6 +8,7 @@
 #include <deal.II/base/multithread_info.h>
 #include <fmt/format.h>
 
+#include "materials.hpp"
 #include "pictures.hpp"
 #include "point_paths.hpp"
 #include "sampling.hpp"
@@ -62,6 +63,15 @@ double plan_area(const exchange::Geometry& geometry) {
 
 /// Of an increment, where equilibrium is not found at once: 1/64 of it is the shortest that is tried.
 constexpr std::size_t increment_halvings_allowed = 6;
+
+/// In one increment of a stage, pieces of it included.
+constexpr int relaxations_allowed = 8;
+
+/// Where flow is associated, the line search of Newton's method finds what equilibrium there is.
+bool flows_otherwise_than_it_yields(const exchange::Material& material) {
+  const bool frictional = material.law == exchange::Law::mohr_coulomb || material.law == exchange::Law::drucker_prager;
+  return frictional && material.dilation_angle.value_or(0.0) < material.friction_angle.value_or(0.0);
+}
 
 /// How a solve failed that is not tried again.
 struct Failure {
@@ -132,14 +142,17 @@ private:
   /// ends the run.
   bool advance(double target, int stage, Ramp& ramp) {
     std::vector<double> targets{target};
+    int relaxations_left = any_layer(study_, flows_otherwise_than_it_yields) ? relaxations_allowed : 0;
     while (!targets.empty()) {
+      const bool shortest = targets.size() > increment_halvings_allowed;
       Equilibrium equilibrium = problem_.solve(targets.back());
       ramp.linear_solves += equilibrium.linear_solves;
+      if (!equilibrium.reached() && shortest && relaxations_left-- > 0) relax(targets.back(), equilibrium, ramp);
       if (equilibrium.reached()) {
         problem_.accept();
         ramp.add(std::move(equilibrium), targets.back());
         targets.pop_back();
-      } else if (problem_.formulation().linear() || targets.size() > increment_halvings_allowed) {
+      } else if (problem_.formulation().linear() || shortest) {
         if (study_.construction.may_fail) return false;
         throw not_converged(study_,
                             {course(stage, ramp.reached, targets.back()), targets.size() > 1, std::move(equilibrium)});
@@ -148,6 +161,13 @@ private:
       }
     }
     return true;
+  }
+
+  /// Where Newton's method failed; a failure, too, leaves what that left.
+  void relax(double target, Equilibrium& equilibrium, Ramp& ramp) {
+    Equilibrium relaxed = problem_.relax(target);
+    ramp.linear_solves += relaxed.linear_solves;
+    if (relaxed.reached()) equilibrium = std::move(relaxed);
   }
 
   /// An increment, for messages.

@@ -67,7 +67,7 @@ std::string key_of(std::size_t stage, const char* last) {
   throw exchange::InputError(complaint);
 }
 
-void require_level_ground(const exchange::Case& study, std::size_t stage, double slack) {
+void require_law_of_ground(const exchange::Case& study, std::size_t stage) {
   const StageEntry& entry = study.stages[stage];
   if (!entry.k0) return;
   const exchange::Law law = study.material_of(entry.layer).law;
@@ -78,6 +78,11 @@ void require_level_ground(const exchange::Case& study, std::size_t stage, double
             .given = "k0 with fem.kinematics = \"finite\"",
             .allowed = "a law that adds up increments of stress, as \"rate\" does",
             .remedy = "leave k0 out, change the law, or use fem.kinematics = \"small\""});
+}
+
+void require_level_ground(const exchange::Case& study, std::size_t stage, double slack) {
+  const StageEntry& entry = study.stages[stage];
+  if (!entry.k0) return;
   exchange::Geometry alone;
   std::copy_if(study.geometry.polygons.begin(), study.geometry.polygons.end(), std::back_inserter(alone.polygons),
                [&](const exchange::Polygon& polygon) { return polygon.layer == entry.layer; });
@@ -141,6 +146,11 @@ void require_layer_above(const exchange::Case& study, std::size_t stage, const P
 }
 
 } // namespace
+
+void require_laws_of_ground(const exchange::Case& study) {
+  for (std::size_t stage = 0; stage < study.stages.size(); ++stage)
+    require_law_of_ground(study, stage);
+}
 
 void require_stages(const exchange::Case& study, const PlaneMesh& mesh) {
   const MeshEdges edges(mesh);

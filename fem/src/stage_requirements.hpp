@@ -7,8 +7,11 @@
 
 namespace settle::fem {
 
-/// Throws InputError where ground with a k0 is not level or its law keeps no stress, where a load does not lie on the
-/// surface as a whole, and where at finite strain a layer lies on others in part only or beside them.
+/// Throws InputError where ground has a k0 and its law, at finite strain, keeps no stress.
+void require_laws_of_ground(const exchange::Case& study);
+
+/// Throws InputError where ground with a k0 is not level, where a load does not lie on the surface as a whole, and
+/// where at finite strain a layer lies on others in part only or beside them.
 void require_stages(const exchange::Case& study, const PlaneMesh& mesh);
 
 } // namespace settle::fem

@@ -68,17 +68,29 @@ dealii::Vector<double> StagedProblem<dim>::tangent_times(const dealii::Vector<do
   return forces;
 }
 
+/// From what each cell has as its matrix.
 template <int dim>
-void StagedProblem<dim>::assemble_tangent() {
-  tangent_ = 0.0;
+template <class MatrixOf>
+void StagedProblem<dim>::assemble(dealii::SparseMatrix<double>& matrix, const MatrixOf& matrix_of) {
+  matrix = 0.0;
   for_each_cell(
       placed_, cell_values(),
       [&](const Cell& cell, const dealii::FEValues<dim>& values, Contribution& contribution) {
-        contribution.matrix = formulation_->tangent(trial_of(cell, values));
+        contribution.matrix = matrix_of(trial_of(cell, values));
       },
       [&](const Contribution& contribution) {
-        standing_.distribute_local_to_global(contribution.matrix, contribution.indices, tangent_);
+        standing_.distribute_local_to_global(contribution.matrix, contribution.indices, matrix);
       });
+}
+
+template <int dim>
+void StagedProblem<dim>::assemble_tangent() {
+  assemble(tangent_, [&](const Trial<dim>& trial) { return formulation_->tangent(trial); });
+}
+
+template <int dim>
+void StagedProblem<dim>::assemble_elastic_stiffness(dealii::SparseMatrix<double>& matrix) {
+  assemble(matrix, [&](const Trial<dim>& trial) { return formulation_->elastic_stiffness(trial); });
 }
 
 /// Of the material as placed: mass is what gravity and the motion act on, and it stays.
@@ -152,6 +164,7 @@ void StagedProblem<dim>::accept() {
 #define SETTLE_INSTANTIATE(dim)                                                                                        \
   template dealii::Vector<double> StagedProblem<dim>::tangent_times(const dealii::Vector<double>&) const;              \
   template void StagedProblem<dim>::assemble_tangent();                                                                \
+  template void StagedProblem<dim>::assemble_elastic_stiffness(dealii::SparseMatrix<double>&);                         \
   template void StagedProblem<dim>::assemble_external();                                                               \
   template void StagedProblem<dim>::assemble_unbalanced();                                                             \
   template void StagedProblem<dim>::accept();

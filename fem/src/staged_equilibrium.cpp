@@ -30,6 +30,17 @@ bool Equilibrium::reached() const {
 
 template <int dim>
 Equilibrium StagedProblem<dim>::solve(double share) {
+  Equilibrium equilibrium = start(share);
+  bool goes_on = !inside_out_ && !equilibrium.linear_solver_gave_up;
+  while (goes_on && !balanced(equilibrium) && equilibrium.linear_solves < linear_solves_allowed)
+    goes_on = correct_increment(equilibrium);
+  note_reactions(equilibrium);
+  return equilibrium;
+}
+
+/// Of an increment, supports where they belong.
+template <int dim>
+Equilibrium StagedProblem<dim>::start(double share) {
   target_ = {.stage = reached_.stage, .share = share};
   increment_ = 0.0;
   assemble_external();
@@ -37,13 +48,19 @@ Equilibrium StagedProblem<dim>::solve(double share) {
   Equilibrium equilibrium;
   move_supports(equilibrium);
   equilibrium.residuals = {out_of_balance()};
-  bool goes_on = !inside_out_ && !equilibrium.linear_solver_gave_up;
-  while (goes_on && equilibrium.out_of_balance() > residual_aimed_at &&
-         equilibrium.linear_solves < linear_solves_allowed)
-    goes_on = correct_increment(equilibrium);
+  return equilibrium;
+}
+
+/// As well as is aimed at.
+template <int dim>
+bool StagedProblem<dim>::balanced(const Equilibrium& equilibrium) const {
+  return equilibrium.out_of_balance() <= residual_aimed_at;
+}
+
+template <int dim>
+void StagedProblem<dim>::note_reactions(Equilibrium& equilibrium) const {
   equilibrium.base_reaction = base_reaction();
   equilibrium.support_reactions = support_reactions();
-  return equilibrium;
 }
 
 /// Where supports follow a motion, the first Newton step of an increment: everything else goes with them. It is taken
@@ -98,6 +115,12 @@ std::optional<dealii::Vector<double>> StagedProblem<dim>::newton_step(dealii::Ve
     linear_solver_->prepare(tangent_);
     prepared_ = true;
   }
+  return solve_linearised(std::move(forces));
+}
+
+/// By the matrix that the linear solver is prepared for.
+template <int dim>
+std::optional<dealii::Vector<double>> StagedProblem<dim>::solve_linearised(dealii::Vector<double> forces) {
   standing_.set_zero(forces);
   std::optional<dealii::Vector<double>> step = linear_solver_->solve(forces, linear_tolerance(forces));
   if (step) standing_.distribute(*step);
@@ -166,9 +189,17 @@ std::vector<double> StagedProblem<dim>::support_reactions() const {
   return reactions;
 }
 
-template Equilibrium StagedProblem<2>::solve(double);
-template Equilibrium StagedProblem<3>::solve(double);
-template double StagedProblem<2>::load() const;
-template double StagedProblem<3>::load() const;
+#define SETTLE_INSTANTIATE(dim)                                                                                        \
+  template Equilibrium StagedProblem<dim>::solve(double);                                                              \
+  template Equilibrium StagedProblem<dim>::start(double);                                                              \
+  template bool StagedProblem<dim>::balanced(const Equilibrium&) const;                                                \
+  template void StagedProblem<dim>::note_reactions(Equilibrium&) const;                                                \
+  template std::optional<dealii::Vector<double>> StagedProblem<dim>::solve_linearised(dealii::Vector<double>);         \
+  template double StagedProblem<dim>::unbalanced_force() const;                                                        \
+  template double StagedProblem<dim>::out_of_balance() const;                                                          \
+  template double StagedProblem<dim>::load() const;
+SETTLE_INSTANTIATE(2)
+SETTLE_INSTANTIATE(3)
+#undef SETTLE_INSTANTIATE
 
 } // namespace settle::fem

@@ -57,6 +57,9 @@ public:
   /// Finds the displacement increment that brings the body to a share of the stage, in balance with what loads it and
   /// with supports where the motion has them, by Newton's method with a line search. Changes no history.
   Equilibrium solve(double share);
+  /// The same where Newton's method fails and materials yield: the body creeps from the start of the increment against
+  /// a viscosity that vanishes. Takes up to 200 linear solves.
+  Equilibrium relax(double share);
   /// Adds the increment just found to the history: the only place where stress and displacement change.
   void accept();
   /// Ends the stage: after one of existing ground, displacements count from here.
@@ -98,16 +101,26 @@ private:
   void hold_what_was_removed();
   void choose_linear_solver();
 
+  template <class MatrixOf>
+  void assemble(dealii::SparseMatrix<double>& matrix, const MatrixOf& matrix_of);
   void assemble_tangent();
+  void assemble_elastic_stiffness(dealii::SparseMatrix<double>& matrix);
   void assemble_external();
   void assemble_unbalanced();
   [[nodiscard]] std::vector<dealii::Tensor<1, dim>> force_per_volume(const Cell& cell,
                                                                      const dealii::FEValues<dim>& values) const;
   [[nodiscard]] dealii::Vector<double> prescribed_increment() const;
   [[nodiscard]] dealii::Vector<double> tangent_times(const dealii::Vector<double>& increment) const;
+  Equilibrium start(double share);
   void move_supports(Equilibrium& equilibrium);
   bool correct_increment(Equilibrium& equilibrium);
   [[nodiscard]] std::optional<dealii::Vector<double>> newton_step(dealii::Vector<double> forces);
+  bool creep(const dealii::SparseMatrix<double>& elastic, double& viscosity, Equilibrium& equilibrium);
+  [[nodiscard]] double misfit_of(const dealii::SparseMatrix<double>& elastic, double viscosity,
+                                 const dealii::Vector<double>& step) const;
+  [[nodiscard]] std::optional<dealii::Vector<double>> solve_linearised(dealii::Vector<double> forces);
+  [[nodiscard]] bool balanced(const Equilibrium& equilibrium) const;
+  void note_reactions(Equilibrium& equilibrium) const;
   [[nodiscard]] double linear_tolerance(const dealii::Vector<double>& forces) const;
   [[nodiscard]] double unbalanced_force() const;
   [[nodiscard]] double load() const;

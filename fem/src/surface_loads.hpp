@@ -2,16 +2,18 @@
 /// Tractions on the surface of the body, by the stages that apply them.
 #pragma once
 
+#include <optional>
+#include <set>
 #include <vector>
 
-#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/base/quadrature.h>
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/mapping.h>
 #include <deal.II/lac/vector.h>
 
 #include "history.hpp"
 #include "loading.hpp"
-#include "settle/exchange/case.hpp"
+#include "settle/exchange/mesh_sides.hpp"
 
 namespace settle::fem {
 
@@ -23,7 +25,8 @@ public:
 
   explicit SurfaceLoads(const exchange::Case& study);
 
-  /// Applies the traction of a stage from here on: to the parts of its line, in the design, that bound the body now.
+  /// Applies the traction of a stage from here on: to the parts of its line, in the design, that bound the body now, or
+  /// to the sides of a mesh in space that it loads.
   void apply(int stage, const exchange::StageEntry& entry, const std::vector<Cell>& placed,
              const History<dim>& history);
   /// Adds the forces [N] at all degrees of freedom. A traction is raised over its own stage and kept; where its surface
@@ -32,23 +35,22 @@ public:
               const dealii::Mapping<dim>& mapping, const dealii::FiniteElement<dim>& element) const;
 
 private:
-  /// Of a face that is loaded, in its unit coordinates.
-  struct Range {
-    dealii::Point<dim - 1> from, to;
-  };
+  using Shares = std::array<double, dealii::GeometryInfo<dim>::vertices_per_face>; ///< of a line, by vertex
+
   struct LoadedFace {
     int stage; ///< since which it is loaded
     Cell cell;
     unsigned face;
-    Range range;
+    Shares shares;                   ///< between 0 and 1 it is loaded
     dealii::Tensor<1, dim> traction; ///< [Pa]
   };
 
-  [[nodiscard]] bool lies_along(const exchange::Support& line, const Cell& cell, unsigned face) const;
-  [[nodiscard]] static Range range_of(const exchange::Support& line, const Cell& cell, unsigned face);
-  [[nodiscard]] static dealii::Quadrature<dim - 1> quadrature_over(const Range& range, unsigned degree);
+  void apply_to_sides(int stage, const exchange::StageEntry& entry, const std::vector<Cell>& placed);
+  [[nodiscard]] std::optional<Shares> shares_along(const exchange::Support& line, const Cell& cell,
+                                                   unsigned face) const;
 
-  double slack_; ///< distance that is round-off [m]
+  double slack_;                        ///< distance that is round-off [m]
+  std::optional<exchange::Mesh> solid_; ///< a mesh in space: its nodes are the vertices
   std::vector<LoadedFace> faces_;
 };
 

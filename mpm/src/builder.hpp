@@ -9,6 +9,8 @@
 
 #include "construction.hpp"
 #include "ground.hpp"
+#include "load_carriers.hpp"
+#include "loaded_parts.hpp"
 #include "moves.hpp"
 #include "polygon_construction.hpp"
 #include "settle/exchange/plane_geometry.hpp"
@@ -126,14 +128,19 @@ private:
       body_.sort();
       break;
     case exchange::Action::load:
-      if constexpr (dim == 2)
-        loads_.add(entry, design_.layers(body_.points, present_), body_.points,
-                   body_.space.size() / body_.layout.row_points);
+      put_on(entry);
       break;
     case exchange::Action::hold:
       break;
     }
     if (!loads_.empty()) stage_load.loads = &loads_;
+  }
+
+  void put_on(const exchange::StageEntry& load) {
+    const double spacing = body_.space.size() / body_.layout.row_points;
+    const LoadCarriers carriers(design_.layers(body_.points, present_), cells_of_carriers(study_, body_),
+                                body_.space.size());
+    loads_.add(loaded_parts(study_, load, {present_.begin(), present_.end()}, spacing), carriers, body_.points.id);
   }
 
   /// Returns the mass [kg/m in 2-D].
@@ -168,7 +175,7 @@ private:
   }
 
   StageReport load(const StageLoad& stage_load) {
-    if (!is_explicit()) return load_quasi_static(body_, stage_load, study_.mpm.quasi_static);
+    if (!is_explicit()) return load_quasi_static(body_, stage_load, study_.mpm.quasi_static, study_.mpm.threads);
     if constexpr (dim == 2)
       if (stage_load.drive != nullptr && stage_load.drive->runs_in_time())
         return run_motion(body_, stage_load, study_.mpm.explicit_dynamic.courant, study_.mpm.threads);

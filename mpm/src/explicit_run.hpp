@@ -29,7 +29,8 @@ class ExplicitRun {
 public:
   /// Everything it is given outlives it.
   ExplicitRun(Body<Space>& body, const StageLoad& load, const exchange::ExplicitDynamic& settings, int threads)
-      : body_(body), load_(load), settings_(settings), step_(body, threads), viscous_(settings.damping) {}
+      : body_(body), load_(load), settings_(settings), step_(body, threads, load.loads != nullptr),
+        viscous_(settings.damping) {}
 
   /// One step, not beyond `dt_max`. Returns its length [s].
   double advance(double dt_max, const Gravity& gravity) {

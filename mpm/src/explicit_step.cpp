@@ -10,8 +10,8 @@ namespace settle::mpm {
 template <class Space>
 class ExplicitStep<Space>::Phases {
 public:
-  Phases(Body<Space>& body, int threads) {
-    if (body.materials.empty())
+  Phases(Body<Space>& body, int threads, bool loaded) {
+    if (body.materials.empty() && !(dim == 3 && loaded))
       fast_.emplace(body, threads);
     else
       pointwise_.emplace(body, threads);
@@ -24,14 +24,15 @@ public:
   Nodes<dim> nodes; ///< as read last
 
 private:
-  /// Kernels know bodies of one simple material.
+  /// Kernels know bodies of one simple material, in space without forces but gravity.
   using Fast = std::conditional_t<has_kernels<Space>, KernelStep<Space>, PointwiseStep<Space>>;
   std::optional<Fast> fast_;
   std::optional<PointwiseStep<Space>> pointwise_;
 };
 
 template <class Space>
-ExplicitStep<Space>::ExplicitStep(Body<Space>& body, int threads) : phases_(std::make_unique<Phases>(body, threads)) {}
+ExplicitStep<Space>::ExplicitStep(Body<Space>& body, int threads, bool loaded)
+    : phases_(std::make_unique<Phases>(body, threads, loaded)) {}
 template <class Space>
 ExplicitStep<Space>::ExplicitStep(ExplicitStep&&) noexcept = default;
 template <class Space>

@@ -83,8 +83,10 @@ double balance(Body<Space>& body, QuasiStaticStep<Space>& step, const StageLoad&
 } // namespace
 
 template <class Space>
-StageReport load_quasi_static(Body<Space>& body, const StageLoad& load, const exchange::QuasiStatic& settings) {
-  QuasiStaticStep<Space> step(settings.residual, settings.linear_solver.value_or(exchange::MpmLinearSolver::direct));
+StageReport load_quasi_static(Body<Space>& body, const StageLoad& load, const exchange::QuasiStatic& settings,
+                              int threads) {
+  QuasiStaticStep<Space> step(settings.residual, settings.linear_solver.value_or(exchange::MpmLinearSolver::direct),
+                              {.most = threads});
   StageReport stage;
   const bool releases = load.action == exchange::Action::remove;
   const int increments = load.grows() || releases ? settings.increments : 1;
@@ -118,7 +120,7 @@ StageReport load_quasi_static(Body<Space>& body, const StageLoad& load, const ex
 }
 
 #define SETTLE_INSTANTIATE(Space)                                                                                      \
-  template StageReport load_quasi_static(Body<Space>&, const StageLoad&, const exchange::QuasiStatic&);
+  template StageReport load_quasi_static(Body<Space>&, const StageLoad&, const exchange::QuasiStatic&, int);
 SETTLE_FOR_EVERY_SPACE(SETTLE_INSTANTIATE)
 
 } // namespace settle::mpm

@@ -202,19 +202,6 @@ void require_depth_that_fits(const exchange::Case& study) {
                                 .remedy = fmt::format("set geometry.depth = {:g}", slices * study.mpm.element_size)});
 }
 
-/// Nothing loads a body in space but weight.
-void require_no_loads(const exchange::Case& study) {
-  for (std::size_t number = 0; number < study.stages.size(); ++number)
-    if (study.stages[number].action == exchange::Action::load)
-      throw exchange::InputError({.where = study.where(fmt::format("stage.{}.action", number)),
-                                  .what = "settle-mpm loads surfaces in the plane only",
-                                  .given = "action = \"load\" with geometry.dimension = 3",
-                                  .allowed = "\"ground\", \"place\", \"remove\", \"hold\"",
-                                  .remedy = study.geometry.varies_along_y()
-                                                ? "leave the stage out"
-                                                : "set geometry.dimension = 2: the section is the same"});
-}
-
 /// Along the extrusion full cells distribute their force by other shares than points feel it.
 void require_splines_that_rest(const exchange::Case& study) {
   const auto& mpm = study.mpm;
@@ -253,7 +240,6 @@ void require_polygons_that_fit(const exchange::Case& study) {
          .remedy = fmt::format("set mpm.element = {}", quoted(*box))});
   const bool is_solid = study.geometry.dimension == 3;
   if (is_solid && !study.geometry.varies_along_y()) require_depth_that_fits(study);
-  if (is_solid) require_no_loads(study);
   require_refill_by_rows(study);
   require_splines_that_rest(study);
   require_stages_that_fit(study);

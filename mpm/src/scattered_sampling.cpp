@@ -40,6 +40,7 @@ LinearFit fit_linear(const Scattered& among, std::size_t count, const Place& pla
   // the least norm where the points lie on a line or plane: no slope across it
   fit.weights = linear.completeOrthogonalDecomposition().pseudoInverse().row(0).transpose();
   fit.weights = fit.weights.cwiseProduct(linear.col(0));
+  fit.weights /= fit.weights.sum(); // from beside them the least norm shares a constant with that slope
   return fit;
 }
 

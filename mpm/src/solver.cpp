@@ -56,7 +56,7 @@ exchange::Used used(const exchange::Case& study) {
 }
 
 int threads(const exchange::Case& study) {
-  return study.mpm.scheme == exchange::Scheme::explicit_dynamic ? study.mpm.threads : 1;
+  return study.geometry.shape == exchange::Shape::point ? 1 : study.mpm.threads;
 }
 
 std::optional<exchange::Failure> solve(const exchange::Case& study, const exchange::StageSink& sink) {

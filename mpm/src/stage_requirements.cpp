@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "settle/exchange/errors.hpp"
+#include "settle/exchange/loaded_surface.hpp"
 #include "settle/exchange/plane_geometry.hpp"
 
 namespace settle::mpm {
@@ -90,9 +91,33 @@ bool meet(const std::set<int>& one, const std::set<int>& other) {
   return std::any_of(one.begin(), one.end(), [&](int layer) { return other.contains(layer); });
 }
 
+/// What carries a load stays to the end.
+void require_to_stay(const Case& study, const StageEntry& load, const std::set<int>& loaded) {
+  const StageEntry* end = study.stages.data() + study.stages.size();
+  const auto removed = std::find_if(&load, end, [&](const StageEntry& later) {
+    return later.action == Action::remove && loaded.contains(later.layer);
+  });
+  if (removed == end) return;
+  refuse(study, key_of(study, *removed) + ".layer",
+         {.where = {},
+          .what = fmt::format("layer {} is taken away with a load on it", removed->layer),
+          .given = "action = \"remove\"",
+          .allowed = "layers without a load",
+          .remedy = "load a layer that stays"});
+}
+
+std::set<int> loaded_layers(const exchange::Mesh& mesh, const StageEntry& load, const std::set<int>& present) {
+  std::set<int> layers;
+  for (const exchange::FreeSide& side : exchange::sides_in_box(mesh, load, present).whole)
+    layers.insert(side.layer);
+  return layers;
+}
+
 void check_load(const Case& study, const StageEntry& entry) {
   if (entry.action != Action::load) return;
   const std::set<int> present = layers_before(study, entry);
+  if (study.geometry.solid_mesh())
+    return require_to_stay(study, entry, loaded_layers(*study.geometry.mesh, entry, present));
   for (const double share : {0.01, 0.5, 0.99}) {
     const auto [left, right] = layers_beside(study, entry, share);
     if (!meet(left, present) || meet(right, present))
@@ -103,16 +128,7 @@ void check_load(const Case& study, const StageEntry& entry) {
                                    entry.to[1]),
               .allowed = "a line with the body to its left and nothing to its right",
               .remedy = "exchange from and to, or draw the line on the surface as designed"});
-    const auto removed = std::find_if(&entry, study.stages.data() + study.stages.size(), [&](const StageEntry& later) {
-      return later.action == Action::remove && left.contains(later.layer);
-    });
-    if (removed != study.stages.data() + study.stages.size())
-      refuse(study, key_of(study, *removed) + ".layer",
-             {.where = {},
-              .what = fmt::format("layer {} is taken away with a load on it", removed->layer),
-              .given = "action = \"remove\"",
-              .allowed = "layers without a load",
-              .remedy = "load a layer that stays"});
+    require_to_stay(study, entry, left);
   }
 }
 

@@ -24,13 +24,13 @@ public:
   bool set_pattern(CellEquations equations);
   void set_zero();
 
-  /// Adds the upper left part of a dense matrix, as large as the cell has degrees of freedom, to the entries of the
-  /// cell, the `number`-th.
+  /// Adds columns `first_column` ... `last_column` - 1 of the upper left part of a dense matrix, as large as the cell
+  /// has degrees of freedom, to the entries of the cell, the `number`-th.
   template <class Dense>
-  void add(std::size_t number, const Dense& dense) {
+  void add(std::size_t number, const Dense& dense, int first_column, int last_column) {
     const auto n = static_cast<int>(equations_.begin[number + 1] - equations_.begin[number]);
-    std::size_t place = first_place_[number];
-    for (int j = 0; j < n; ++j)
+    std::size_t place = first_place_[number] + static_cast<std::size_t>(n * first_column);
+    for (int j = first_column; j < last_column; ++j)
       for (int i = 0; i < n; ++i)
         if (const int at = places_[place++]; at >= 0) matrix_.valuePtr()[at] += dense(i, j);
   }

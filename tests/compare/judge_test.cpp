@@ -242,6 +242,20 @@ TEST(Judge, TheReactionIsAuditedOnlyWhereTheWeightIsAllThatLoads) {
   EXPECT_THAT(reaction_unaudited(in_time, "mpm"), HasSubstr("inertia"));
 }
 
+/// Half a metre deep: 1 m of the surface is half a square metre.
+TEST(Judge, ALoadInSpaceIsOnItsDepth) {
+  exchange::Case study = body_case();
+  study.motion.reset();
+  study.stages.push_back(
+      {.action = exchange::Action::load, .layer = 1, .from = {1.0, 1.0}, .to = {0.0, 1.0}, .traction = {0.0, -3e3}});
+  const int last = study.n_stages();
+  EXPECT_NEAR(surface_load(study, last), 3e3, 1e-9);
+  study.geometry.dimension = 3;
+  study.geometry.depth = 0.5;
+  EXPECT_NEAR(surface_load(study, last), 1.5e3, 1e-9);
+  EXPECT_EQ(surface_load(study, last - 1), 0.0);
+}
+
 TEST(Judge, WithoutGravityNothingIsDividedByTheWeight) {
   RunOutcome run = perfect_body_run(body_case({"gravity=0"}));
   for (const Verdict& verdict : judge_balance(run))

@@ -336,8 +336,12 @@ TEST(Mesh, KeysThatAMeshSaysByItselfAreRefused) {
   EXPECT_THAT(complaint_about(solid, {"geometry.depth=3"}), HasSubstr("geometry.depth"));
   EXPECT_THAT(complaint_about(solid, {"geometry.dimension=2"}), HasSubstr("set geometry.dimension = 3"));
   EXPECT_THAT(complaint_about(text + "[[support]]\nfrom = [0, 0]\nto = [2, 0]\n"), HasSubstr("support"));
-  EXPECT_THAT(complaint_about(solid + "[[stage]]\nlayer = 1\naction = \"ground\"\nk0 = 0.5\n[[stage]]\nlayer = 2\n"),
-              HasSubstr("a layer of a mesh in space"));
+  const std::string ground = "[[stage]]\nlayer = 1\naction = \"ground\"\nk0 = 0.5\n[[stage]]\nlayer = 2\n";
+  EXPECT_EQ(complaint_about(solid + ground), "");
+  const auto lean = [](std::array<double, 3>& node) { node[1] += node[1] > 0.5 ? 0.1 * node[2] : 0.0; };
+  EXPECT_THAT(complaint_about(case_of(solid_block({.deep = 1}, lean).text(), {.deep = 1}, ground),
+                              {"geometry.mesh.roller=[\"left\", \"right\"]"}),
+              HasSubstr("a layer of a mesh that fills no upright box"));
 }
 
 TEST(Mesh, OfASectionIsExtrudedInSpace) {

@@ -131,6 +131,46 @@ TEST(MeshOfHexahedra, IsItsSectionBetweenRollers) {
   }
 }
 
+/// Two strata of their own ratios; cells within the ground may have any form.
+class GroundOfHexahedra : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(GroundOfHexahedra, StartsWithTheStressOfItsDepthAndDoesNotMove) {
+  const Block counts{.across = 3, .deep = 2};
+  const auto distort = [](Position& node) {
+    const auto [x, y, z] = node;
+    if (x > 0 && x < 3) node[0] += 0.1 * y - 0.05 * z;
+    if (y > 0 && y < 2) node[1] += 0.1 * x * z - 0.2;
+  };
+  const exchange::Case study = read(solid_block(counts, distort), counts, {GetParam()},
+                                    "[[stage]]\naction = \"ground\"\nlayer = 1\nk0 = 0.7\n"
+                                    "[[stage]]\naction = \"ground\"\nlayer = 2\nk0 = 0.4\n"
+                                    "[[stage]]\naction = \"hold\"\n");
+  const std::vector<Stage> stages = solve(study);
+  for (const std::size_t k : {1U, 2U}) {
+    const exchange::SamplePoints& points = stages[k].points;
+    for (std::size_t p = 0; p < points.size(); ++p) {
+      const double upward = -unit_weight * (2.0 - points.position[3 * p + 2]);
+      const double across = (points.layer[p] == 1 ? 0.7 : 0.4) * upward;
+      const std::vector<double> expected{across, across, upward, 0.0, 0.0, 0.0};
+      for (std::size_t c = 0; c < 6; ++c)
+        EXPECT_NEAR(points.stress[6 * p + c], expected[c], 1e-10 * 2.0 * unit_weight);
+    }
+    expect_same(points.displacement, std::vector<double>(points.displacement.size()), 1e-15);
+    EXPECT_NEAR(stages[k].base_reaction, stages[k].weight, 1e-10 * stages[k].weight);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, GroundOfHexahedra,
+                         ::testing::Values("fem.element=Q1", "fem.element=Q2", "fem.kinematics=finite"),
+                         [](const auto& parameter) { return parameter.param.substr(parameter.param.find('=') + 1); });
+
+TEST(GroundOfHexahedraAtFiniteStrain, KeepsItsStressByALawInRates) {
+  const Block counts{.deep = 1};
+  EXPECT_THAT(complaint_about(read(solid_block(counts), counts, {"fem.kinematics=finite", "material.fill.law=hencky"},
+                                   "[[stage]]\naction = \"ground\"\nlayer = 1\nk0 = 0.7\n[[stage]]\nlayer = 2\n")),
+              HasSubstr("has no stress without strain"));
+}
+
 TEST(MeshOfHexahedra, OfAnyFormRestsOnWhatIsFixedWithItsWholeWeight) {
   const Block counts{.across = 3, .deep = 2, .layers = 2};
   const auto distort = [](Position& node) {

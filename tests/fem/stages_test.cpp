@@ -243,6 +243,22 @@ TEST_P(GroundWithK0, StartsWithTheStressOfItsOverburdenAndDoesNotMove) {
 INSTANTIATE_TEST_SUITE_P(All, GroundWithK0, ::testing::Values(Kinematics::small, Kinematics::finite),
                          [](const auto& parameter) { return std::string(exchange::name_of(parameter.param)); });
 
+TEST(Ground, OfASectionInSpaceStartsWithTheStressOfItsOverburden) {
+  exchange::Case study = drawn_column(2, 2.0);
+  study.geometry.dimension = 3;
+  study.geometry.depth = 1.0;
+  study.stages = {ground(1, 0.8), ground(2, 0.4)};
+  const Stage stage = solve(study).back();
+  for (std::size_t i = 0; i < stage.points.size(); ++i) {
+    const double upward = -unit_weight * (2.0 - stage.points.position[3 * i + 2]);
+    for (const std::size_t across : {0U, 1U})
+      EXPECT_NEAR(stage.points.stress[6 * i + across], (stage.points.layer[i] == 1 ? 0.8 : 0.4) * upward,
+                  1e-10 * unit_weight);
+    EXPECT_NEAR(stage.points.stress[6 * i + 2], upward, 1e-10 * unit_weight);
+  }
+  expect_close(stage.points.position, stage.points.placed_position, 1e-12);
+}
+
 TEST(Ground, UnderAnEmbankmentIsItsFirstLayerWithoutBeingToldSo) {
   const std::vector<Stage> stages = solve(embankment({.foundation_depth = 2.0}));
   ASSERT_EQ(stages.size(), 4U);

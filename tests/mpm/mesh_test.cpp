@@ -132,6 +132,28 @@ TEST_P(MeshOfACuboid, IsItsSectionBetweenRollers) {
 INSTANTIATE_TEST_SUITE_P(All, MeshOfACuboid, ::testing::Values("drop", "refill"),
                          [](const auto& parameter) { return parameter.param; });
 
+/// Two strata of their own ratios; then nothing moves.
+TEST(MeshOfHexahedra, StartsAsGroundWithTheStressOfItsDepth) {
+  const Block counts{.across = 2, .deep = 1};
+  for (const std::string scheme : {"mpm.scheme=quasi-static", "mpm.scheme=explicit"}) {
+    const auto stages = stages_of(read(gmsh::solid_block(counts), counts, {scheme},
+                                       "[[stage]]\naction = \"ground\"\nlayer = 1\nk0 = 0.7\n"
+                                       "[[stage]]\naction = \"ground\"\nlayer = 2\nk0 = 0.4\n"
+                                       "[[stage]]\naction = \"hold\"\n"));
+    const exchange::SamplePoints& points = stages[2].points;
+    for (std::size_t p = 0; p < points.size(); ++p) {
+      const double upward = -unit_weight * (2.0 - points.placed_position[3 * p + 2]);
+      const double across = (points.layer[p] == 1 ? 0.7 : 0.4) * upward;
+      const std::vector<double> expected{across, across, upward, 0.0, 0.0, 0.0};
+      for (std::size_t c = 0; c < 6; ++c)
+        EXPECT_NEAR(points.stress[6 * p + c], expected[c], 1e-9 * 2.0 * unit_weight);
+      for (std::size_t c = 0; c < 3; ++c)
+        EXPECT_NEAR(points.displacement[3 * p + c], 0.0, 1e-13);
+    }
+    EXPECT_NEAR(stages[2].base_reaction, stages[2].weight, 1e-9 * stages[2].weight);
+  }
+}
+
 TEST(MeshOfHexahedra, BulgesWhereItIsFree) {
   const Block counts{.across = 1, .deep = 1, .layers = 1};
   const auto stages = stages_of(read(gmsh::solid_block(counts), counts, {"geometry.mesh.roller=[\"left\", \"right\"]"},

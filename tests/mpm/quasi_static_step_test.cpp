@@ -84,6 +84,35 @@ TYPED_TEST(QuasiStaticStepOf, IterationsFindWhatTheFactorisationFinds) {
     EXPECT_LT((direct.position_of(p) - iterative.position_of(p)).norm(), 1e-8);
 }
 
+template <class Space>
+Points<Space::dim> after_increments(StressIntegration integration, bool mean_volume, Threads threads) {
+  auto body = distorted_block<Space>(integration);
+  body.mean_volume = mean_volume;
+  QuasiStaticStep<Space> step(tolerance, exchange::MpmLinearSolver::direct, threads);
+  for (const double gravity : {20.0, 40.0})
+    EXPECT_TRUE(step.advance(body, {.acceleration = gravity}).converged);
+  return body.points;
+}
+
+template <int dim>
+void expect_same_bits(const Points<dim>& points, const Points<dim>& others) {
+  EXPECT_EQ(points.id, others.id);
+  EXPECT_EQ(points.position, others.position);
+  EXPECT_EQ(points.volume, others.volume);
+  EXPECT_EQ(points.stress, others.stress);
+}
+
+TYPED_TEST(QuasiStaticStepOf, AnyNumberOfThreadsGivesTheSameBits) {
+  for (const auto integration : {StressIntegration::full_cells, StressIntegration::points})
+    for (const bool mean_volume : {false, integration == StressIntegration::full_cells}) {
+      const auto one = after_increments<TypeParam>(integration, mean_volume, {});
+      for (const int most : {2, 3}) {
+        SCOPED_TRACE(most);
+        expect_same_bits(after_increments<TypeParam>(integration, mean_volume, {.most = most, .least_points = 1}), one);
+      }
+    }
+}
+
 TEST(QuasiStaticStep, ReportsOneResidualMoreThanLinearSolvesAndTheLastBelowTheTolerance) {
   auto body = block();
   const auto report = QuasiStaticStep<TriangleSpace>(tolerance).advance(body, {});

@@ -46,9 +46,11 @@ TEST(Requirements, ThreadsAreAsManyAsTheMachineHas) {
   expect_refused({"mpm.threads=1000000"}, "--set mpm.threads=1000000", "set mpm.threads = ");
 }
 
-TEST(Threads, AreOneInTheQuasiStaticSchemeWhateverIsAskedFor) {
-  EXPECT_EQ(threads(paper_column({"mpm.threads=2"})), 1);
-  EXPECT_EQ(threads(paper_column({"mpm.threads=2", "mpm.scheme=explicit"})), 2);
+TEST(Threads, AreThoseAskedForButOneForSingleMaterialPoints) {
+  auto study = paper_column({"mpm.threads=2"});
+  EXPECT_EQ(threads(study), 2);
+  study.geometry.shape = exchange::Shape::point;
+  EXPECT_EQ(threads(study), 1);
 }
 
 TEST(Requirements, SmoothBasesAreThoseOfQuadrilaterals) {

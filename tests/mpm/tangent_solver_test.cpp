@@ -138,8 +138,9 @@ TEST(TangentMatrix, SumsUpTheCellsEntriesOfFreeDegreesOfFreedom) {
   Eigen::Matrix3d first, second; // larger than a cell: only the upper left part counts
   first << 1, 2, 99, 3, 4, 99, 99, 99, 99;
   second << 10, 20, 99, 30, 40, 99, 99, 99, 99;
-  tangent.add(0, first);
-  tangent.add(1, second);
+  tangent.add(0, first, 0, 1); // column by column
+  tangent.add(0, first, 1, 2);
+  tangent.add(1, second, 0, 2);
   const Eigen::Matrix2d sum{{4 + 10, 20}, {30, 40}};
   EXPECT_EQ(Eigen::Matrix2d(tangent.matrix()), sum);
 }
@@ -147,7 +148,7 @@ TEST(TangentMatrix, SumsUpTheCellsEntriesOfFreeDegreesOfFreedom) {
 TEST(TangentMatrix, StartsFromZeroAgainAndSaysWhenItsEntriesHaveMoved) {
   TangentMatrix tangent;
   tangent.set_pattern(two_cells());
-  tangent.add(1, Eigen::Matrix2d::Ones());
+  tangent.add(1, Eigen::Matrix2d::Ones(), 0, 2);
   EXPECT_FALSE(tangent.set_pattern(two_cells()));
   EXPECT_EQ(tangent.matrix().norm(), 0.0);
   EXPECT_TRUE(tangent.set_pattern({.rows = {0, 1, 1, 2}, .begin = {0, 2, 4}, .size = 3}));

@@ -18,7 +18,7 @@ settle, sources = sys.argv[1], pathlib.Path(sys.argv[2])
 
 # What only the programs can know: keys that contradict each other, and names that have to be in the same file.
 beyond_a_schema = {
-    "attraction_beyond_preconsolidation", "band_upside_down", "base_of_a_valley", "compared_with_itself",
+    "attraction_beyond_preconsolidation", "band_upside_down", "compared_with_itself",
     "control_of_nothing_known", "convergence_of_an_unknown_solver", "convergence_over_fields", "damped_motion",
     "embankment_all_foundation", "embankment_with_a_support", "embankment_without_measures", "everything_removed",
     "exact_of_a_field", "exact_that_is_no_number", "failure_held_for_a_time", "failure_of_a_column",
@@ -28,8 +28,8 @@ beyond_a_schema = {
     "hold_before_anything", "k0_in_a_valley", "k0_of_a_fill", "layer_never_placed", "layer_of_two_materials",
     "layer_placed_twice", "layer_removed_before_it_is_there", "layer_without_polygon", "layers_backwards",
     "layers_that_are_not_there", "level_given_twice", "levels_from_fine_to_coarse", "levels_of_nothing",
-    "levels_that_do_not_match", "levels_without_element_size", "line_that_is_not_fitted", "load_on_a_point",
-    "load_on_nothing", "load_without_a_load", "measures_of_an_embankment", "mesh_file_that_is_not_there",
+    "levels_that_do_not_match", "levels_without_element_size", "line_that_is_not_fitted", "load_in_space_on_a_section",
+    "load_on_a_point", "load_on_nothing", "load_without_a_load", "measures_of_an_embankment", "mesh_file_that_is_not_there",
     "mesh_left_out", "mesh_of_another_version", "mesh_of_polygons", "mesh_of_triangles",
     "mesh_with_a_size_of_its_own", "mesh_with_a_support", "mesh_with_too_few_layers", "mesh_without_the_group",
     "missing_key", "more_dilation_than_friction", "motion_in_space", "motion_of_a_solid_column", "motion_under_way",

@@ -2,16 +2,18 @@
 
 #include <cmath>
 #include <map>
+#include <optional>
 
 #include <fmt/format.h>
 
+#include "boundary_band.hpp"
 #include "curve_styles.hpp"
 #include "format.hpp"
-#include "free_surface.hpp"
 #include "html_parts.hpp"
 #include "leg_region.hpp"
 #include "line_figure.hpp"
 #include "settle/compare/exact_solution.hpp"
+#include "settle/exchange/valley.hpp"
 
 namespace settle::compare::report {
 
@@ -24,13 +26,22 @@ struct Stretch {
   double weight = 0, x = 0, value = 0;
 };
 
-/// Samples near the base, weighted means over stretches of some length, from left to right; where nothing lies for two
-/// of them a new piece begins.
-std::vector<std::vector<ChartPoint>> means_along(const std::vector<BoundaryPart>& base, const FieldSamples& samples,
+/// Of a body that varies along y, what is charted: its middle. A section is the same all along y.
+std::optional<double> charted_y(const exchange::Geometry& geometry) {
+  if (!geometry.varies_along_y()) return {};
+  return exchange::middle_of_depth(geometry);
+}
+
+/// Samples near the base, no further than a length, weighted means over stretches of that length, from left to right;
+/// where nothing lies for two of them a new piece begins.
+std::vector<std::vector<ChartPoint>> means_along(const exchange::Case& study, const FieldSamples& samples,
                                                  double length) {
+  const BoundaryBand base = BoundaryBand::along_base(study, length);
+  const std::optional<double> middle = charted_y(study.geometry);
   std::map<long, Stretch> stretches;
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    if (!(distance(base, {samples.x[i], samples.height[i]}) <= length)) continue;
+    if (middle && !(std::abs(samples.y[i] - *middle) <= length)) continue;
+    if (!base.holds({samples.x[i], samples.y[i], samples.height[i]})) continue;
     Stretch& stretch = stretches[std::lround(std::floor(samples.x[i] / length))];
     stretch.weight += samples.weight[i];
     stretch.x += samples.weight[i] * samples.x[i];
@@ -73,22 +84,25 @@ FieldSamples exact_at(const RunOutcome& run, FieldSamples samples) {
 Chart base_chart(const RunOutcome& run) {
   Chart chart;
   if (!is_body(run.study)) return chart;
-  const std::vector<BoundaryPart> parts = base(run.study);
+  const std::optional<double> middle = charted_y(run.study.geometry);
   chart.title = "Vertical stress along the base";
+  if (middle) chart.title += fmt::format(", in the middle (y = {} m)", number(*middle, 3));
   chart.x = {.title = "x", .unit = "m"};
   chart.y = {.title = "Vertical stress, compression positive", .unit = "kPa"};
   for (const SolverRun& solver : run.solvers) {
-    if (parts.empty() || !solver.result || solver.result->stages.empty()) continue;
+    if (!solver.result || solver.result->stages.empty()) continue;
     const FieldSamples samples =
         point_samples(solver.result->stages.back(), run.study.geometry.dimension, Quantity::vertical_stress);
     const double length = 0.5 * element_size_of(run, solver.solver);
-    add(title_of(solver), solver.solver, means_along(parts, samples, length), chart);
+    add(title_of(solver), solver.solver, means_along(run.study, samples, length), chart);
     if (&solver == &run.solvers.front())
-      add("exact", "exact", means_along(parts, exact_at(run, samples), length), chart);
-    chart.caption += fmt::format("Base reaction of {}: {} kN/m. ", title_of(solver),
-                                 number(1e-3 * solver.result->stages.back().base_reaction, 5));
+      add("exact", "exact", means_along(run.study, exact_at(run, samples), length), chart);
+    chart.caption += fmt::format("Base reaction of {}: {} {}. ", title_of(solver),
+                                 number(1e-3 * solver.result->stages.back().base_reaction, 5),
+                                 run.study.geometry.dimension == 2 ? "kN/m" : "kN");
   }
-  chart.caption += "Means over stretches of half an element, of the points nearer to the base than that.";
+  chart.caption += "Means over stretches of half an element, of the points nearer to the base than that";
+  chart.caption += middle ? ", and to the middle." : ".";
   return chart;
 }
 

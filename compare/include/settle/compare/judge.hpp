@@ -42,7 +42,7 @@ bool is_unheld(const exchange::Case& study, const std::string& solver);
 /// Does the case's motion run in time, so that rest is not what it ends in?
 bool runs_in_time(const exchange::Case& study);
 
-/// What loads on the surface add to the weight, downward, after a stage [N/m].
+/// What loads on the surface add to the weight, downward, after a stage [N], in the plane [N/m].
 double surface_load(const exchange::Case& study, int stage);
 
 /// Why a solver's base reaction is not held against its weight, in a sentence; empty where it is.

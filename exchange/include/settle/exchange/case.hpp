@@ -316,9 +316,10 @@ struct Material {
 struct StageEntry {
   Action action = Action::place;
   int layer = 1; ///< of ground, place and remove; of hold and load the layer placed last, set by `read_case`
-  std::optional<double> k0{};       ///< of ground: horizontal over vertical stress; none: as its law has it
-  std::vector<double> from{}, to{}; ///< (2) of load: ends of a straight part of the surface [m]
-  std::vector<double> traction{};   ///< (2) of load: x, y, reached at the end of the stage and kept [Pa]
+  std::optional<double> k0{}; ///< of ground: horizontal over vertical stress; none: as its law has it
+  /// Of load [m]: ends of a straight part of the surface (2), of a mesh in space corners of a box (3).
+  std::vector<double> from{}, to{};
+  std::vector<double> traction{}; ///< of load, (2) or (3) likewise, reached at the end of the stage and kept [Pa]
 };
 
 /// A way of a single material point through strains or stresses, shape `point`. One stage.
@@ -373,7 +374,7 @@ struct Mpm {
   RefillRule refill = RefillRule::sub_element;
   bool average_stress = false;
   bool jaumann = false;
-  int threads = 1; ///< of the explicit scheme; results do not depend on it
+  int threads = 1; ///< results do not depend on it
   Scheme scheme = Scheme::quasi_static;
   QuasiStatic quasi_static{};
   ExplicitDynamic explicit_dynamic{}; ///< the table `[mpm.explicit]`

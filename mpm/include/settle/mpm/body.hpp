@@ -12,14 +12,18 @@
 
 namespace settle::mpm {
 
+/// On point p, per mass [m/s2].
+template <int dim>
+using PointForce = std::function<Vector<dim>(const Points<dim>&, std::size_t p)>;
+
 /// Gravity as it acts at a moment: full on every layer but the one under construction, whose share grows from 0 to 1;
-/// and what the case's known motion is driven by besides.
+/// and what the case's known motion is driven by, or its surface loaded with, besides.
 struct Gravity {
   double acceleration = 9.81; ///< [m/s2], downwards along the last axis
   int ramped_layer = 0;
-  double factor = 1.0; ///< of the ramped layer's gravity, 0 ... 1
-  /// Force per mass on a point [m/s2]; empty: none. Known motions are those of the plane.
-  std::function<Vector<2>(const Points<2>&, std::size_t)> besides{};
+  double factor = 1.0;              ///< of the ramped layer's gravity, 0 ... 1
+  PointForce<2> besides{};          ///< in the plane; empty: none
+  PointForce<3> besides_in_space{}; ///< likewise; the kernels of the explicit step know none
 
   [[nodiscard]] double on(int layer) const { return layer == ramped_layer ? factor * acceleration : acceleration; }
   /// All force per mass on point p [m/s2].
@@ -27,8 +31,11 @@ struct Gravity {
   [[nodiscard]] Vector<dim> pull(const Points<dim>& points, std::size_t p) const {
     Vector<dim> pull = Vector<dim>::Zero();
     pull[dim - 1] = -on(points.layer[p]);
-    if constexpr (dim == 2)
+    if constexpr (dim == 2) {
       if (besides) pull += besides(points, p);
+    } else {
+      if (besides_in_space) pull += besides_in_space(points, p);
+    }
     return pull;
   }
 };

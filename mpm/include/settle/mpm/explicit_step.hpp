@@ -45,8 +45,9 @@ class ExplicitStep {
 public:
   static constexpr int dim = Space::dim;
 
-  /// The body outlives its steps. Results do not depend on the number of threads, bit for bit.
-  explicit ExplicitStep(Body<Space>& body, int threads = 1);
+  /// The body outlives its steps. Results do not depend on the number of threads, bit for bit. `loaded`: points have
+  /// forces besides gravity; in space the step then goes point by point.
+  explicit ExplicitStep(Body<Space>& body, int threads = 1, bool loaded = false);
   ExplicitStep(ExplicitStep&&) noexcept;
   ~ExplicitStep();
 

@@ -35,7 +35,9 @@ struct StageLoad {
   [[nodiscard]] Gravity at(double share) const {
     if (drive != nullptr) return drive->gravity_at(layer, share);
     Gravity now{.acceleration = gravity, .ramped_layer = layer, .factor = brings_weight() ? share : 1.0};
-    if (loads != nullptr) now.besides = loads->at(action == exchange::Action::load ? share : 1.0);
+    if (loads == nullptr) return now;
+    const double of_newest = action == exchange::Action::load ? share : 1.0;
+    now.besides = loads->at<2>(of_newest), now.besides_in_space = loads->at<3>(of_newest);
     return now;
   }
   /// The same, when this share of the layer's weight is left.
@@ -62,7 +64,8 @@ struct StageReport {
 /// that does not converge is halved and tried again. The stage ends with an increment at full gravity after which
 /// nothing is refilled. Throws exchange::NotConverged with the residuals, PointLost.
 template <class Space>
-StageReport load_quasi_static(Body<Space>& body, const StageLoad& load, const exchange::QuasiStatic& settings);
+StageReport load_quasi_static(Body<Space>& body, const StageLoad& load, const exchange::QuasiStatic& settings,
+                              int threads);
 
 /// Explicit: what grows ramps over `ramp_time`, if anything does, then the body is held until both errors are met (or
 /// for `hold`); the hold starts again whenever a point is added. Under viscous relaxation without a ramp gravity acts

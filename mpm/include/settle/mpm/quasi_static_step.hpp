@@ -21,6 +21,15 @@ struct IncrementReport {
   Eigen::VectorXd reactions;       ///< of the supports on the body, (dim * nodes), zero where free [N/m] in 2-D
 };
 
+/// Threads of an increment: no more than there are so many points for each. Results do not depend on them.
+struct Threads {
+  int most = 1;
+  std::size_t least_points = 10'000;
+};
+
+template <class Space>
+class QuasiStaticSystem;
+
 /// Equilibrium at the end of the increment, on the grid as it deforms in the increment (updated Lagrangian): for every
 /// free node i  sum_p v_p J_p sigma_p F_p^-T g_ip = sum_p N_i m g,  with sigma_p the stress at the end of the
 /// increment, F_p the increment's deformation gradient at p, and v_p and g_ip by `StressIntegration`. The tangent is
@@ -30,7 +39,8 @@ template <class Space>
 class QuasiStaticStep {
 public:
   /// `tolerance`: relative out-of-balance force at which an increment has converged.
-  explicit QuasiStaticStep(double tolerance, exchange::MpmLinearSolver solver = exchange::MpmLinearSolver::direct);
+  explicit QuasiStaticStep(double tolerance, exchange::MpmLinearSolver solver = exchange::MpmLinearSolver::direct,
+                           Threads threads = {});
   QuasiStaticStep(QuasiStaticStep&&) noexcept;
   ~QuasiStaticStep();
 
@@ -41,8 +51,7 @@ public:
                           const Eigen::VectorXd& support_motion = {});
 
 private:
-  struct System;
-  std::unique_ptr<System> system_;
+  std::unique_ptr<QuasiStaticSystem<Space>> system_;
   double tolerance_;
 };
 

@@ -9,7 +9,7 @@ namespace settle::mpm {
 /// What the solver uses of the case's values; kinematics are finite.
 exchange::Used used(const exchange::Case& study);
 
-/// How many threads `solve` may use: more than one with the explicit scheme only.
+/// How many threads `solve` may use: one for single material points.
 int threads(const exchange::Case& study);
 
 /// Builds the construction layer by layer. Throws exchange::InputError (`require_solvable`, or a `drop` that has no
