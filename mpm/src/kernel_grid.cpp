@@ -66,6 +66,8 @@ void KernelStep<Space>::divide_rows() {
   const int parts = (step_.node_line + phases_.tile / 2) / phases_.tile;
   step_.tile_width =
       parts < 2 ? step_.node_line : static_cast<int>(rounded_up(size_of(quotient_up(step_.node_line, parts)), lanes));
+  while (step_.node_line % step_.tile_width > 0 && step_.node_line % step_.tile_width <= step_.overlap)
+    step_.tile_width += static_cast<int>(lanes); // also the last part of a line has squares that exist
   step_.line_parts = quotient_up(step_.node_line, step_.tile_width);
   step_.tile_squares = size_of(step_.tile_lines) * size_of(step_.tile_width);
   step_.strip_tiles = quotient_up(strip_lines, step_.tile_lines) * step_.line_parts;

@@ -185,11 +185,13 @@ TYPED_TEST(KernelStepOf, IsThePlainStepToRoundOffForEveryLaw) {
 template <class Space>
 std::vector<Block> every_shape() {
   if (Space::dim == 3)
-    return {{.columns = 1, .deep = 1, .rows = 2, .filled_rows = 1},
-            {.columns = 1, .deep = 3, .rows = 12, .filled_rows = 11},
-            {.columns = 100, .deep = 1, .rows = 4, .filled_rows = 3},
-            {.columns = 20, .deep = 14, .rows = 5, .filled_rows = 4},
-            {.columns = 7, .deep = 40, .rows = 4, .filled_rows = 3}};
+    return {
+        {.columns = 1, .deep = 1, .rows = 2, .filled_rows = 1},
+        {.columns = 1, .deep = 3, .rows = 12, .filled_rows = 11},
+        {.columns = 100, .deep = 1, .rows = 4, .filled_rows = 3},
+        {.columns = 575, .deep = 1, .rows = 3, .filled_rows = 2}, // B-splines: 8 tiles of 72 nodes, and one more node
+        {.columns = 20, .deep = 14, .rows = 5, .filled_rows = 4},
+        {.columns = 7, .deep = 40, .rows = 4, .filled_rows = 3}};
   return {{.columns = 1, .rows = 2, .filled_rows = 1},
           {.columns = 1, .rows = 12, .filled_rows = 11},
           {.columns = 300, .rows = 7, .filled_rows = 6},
