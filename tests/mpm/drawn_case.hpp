@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "drawn_box.hpp"
 #include "settle/exchange/case_io.hpp"
 #include "solved_body.hpp"
 
@@ -56,30 +57,10 @@ slopes = [1.5, 1.5]
 
 /// Layers of 0.5 m between smooth walls 2 m apart: what happens has one dimension.
 inline exchange::Case box(int layers, const std::string& stages, const Overrides& overrides = {}) {
-  std::string geometry = "[geometry]\nshape = \"polygons\"\ndimension = 2\n";
-  for (int layer = 1; layer <= layers; ++layer) {
-    const std::string low = std::to_string(0.5 * (layer - 1)), high = std::to_string(0.5 * layer);
-    geometry += "[[geometry.polygon]]\nlayer = " + std::to_string(layer) + "\ncorners = [[0.0, " + low + "], [2.0, " +
-                low + "], [2.0, " + high + "], [0.0, " + high + "]]\n";
-  }
-  const std::string top = std::to_string(0.5 * layers);
-  return exchange::parse_case(head(geometry) + "layers = " + std::to_string(layers) + R"(
-[[support]]
-from = [0.0, )" + top + R"(]
-to = [0.0, 0.0]
-held = "x"
-[[support]]
-from = [0.0, 0.0]
-to = [2.0, 0.0]
-held = "y"
-[[support]]
-from = [2.0, 0.0]
-to = [2.0, )" + top + R"(]
-held = "x"
-[probes.middle]
-from = [1.0, 0.0]
-to = [1.0, )" + top +
-                                  "]\npoints = " + std::to_string(2 * layers + 1) + "\n" + stages,
+  const std::string probes = "[probes.middle]\nfrom = [1.0, 0.0]\nto = [1.0, " + std::to_string(0.5 * layers) +
+                             "]\npoints = " + std::to_string(2 * layers + 1) + "\n";
+  return exchange::parse_case(head(polygons_of_box(layers, "2.0")) + "layers = " + std::to_string(layers) + "\n" +
+                                  supports_of_box(layers, "2.0") + probes + stages,
                               "box.toml", overrides);
 }
 

@@ -1,5 +1,6 @@
 #include "refilled_bodies.hpp"
 
+#include "drawn_box.hpp"
 #include "settle/exchange/case_io.hpp"
 
 namespace settle::mpm::test {
@@ -37,26 +38,8 @@ width = 1.0
 }
 
 exchange::Case refilled_rectangle(const std::string& law, const Overrides& overrides) {
-  std::string text = head_of_refilled(law) + "layers = 4\n[geometry]\nshape = \"polygons\"\ndimension = 2\n";
-  for (int layer = 1; layer <= 4; ++layer) {
-    const std::string low = std::to_string(0.5 * (layer - 1)), high = std::to_string(0.5 * layer);
-    text += "[[geometry.polygon]]\nlayer = " + std::to_string(layer) + "\ncorners = [[0.0, " + low + "], [1.0, " + low +
-            "], [1.0, " + high + "], [0.0, " + high + "]]\n";
-  }
-  return exchange::parse_case(text + R"(
-[[support]]
-from = [0.0, 2.0]
-to = [0.0, 0.0]
-held = "x"
-[[support]]
-from = [0.0, 0.0]
-to = [1.0, 0.0]
-held = "y"
-[[support]]
-from = [1.0, 0.0]
-to = [1.0, 2.0]
-held = "x"
-)",
+  return exchange::parse_case(head_of_refilled(law) + "layers = 4\n" + polygons_of_box(4, "1.0") +
+                                  supports_of_box(4, "1.0"),
                               "polygons.toml", overrides);
 }
 
