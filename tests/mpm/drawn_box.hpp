@@ -21,8 +21,8 @@ inline std::string polygons_of_box(int layers, const std::string& width) {
 inline std::string supports_of_box(int layers, const std::string& width) {
   const std::string top = std::to_string(0.5 * layers);
   return "[[support]]\nfrom = [0.0, " + top + "]\nto = [0.0, 0.0]\nheld = \"x\"\n" +
-         "[[support]]\nfrom = [0.0, 0.0]\nto = [" + width + ", 0.0]\nheld = \"y\"\n" + "[[support]]\nfrom = [" +
-         width + ", 0.0]\nto = [" + width + ", " + top + "]\nheld = \"x\"\n";
+         "[[support]]\nfrom = [0.0, 0.0]\nto = [" + width + ", 0.0]\nheld = \"y\"\n" + "[[support]]\nfrom = [" + width +
+         ", 0.0]\nto = [" + width + ", " + top + "]\nheld = \"x\"\n";
 }
 
 } // namespace settle::mpm::test
